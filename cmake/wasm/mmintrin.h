@@ -1,0 +1,2 @@
+// Empty on purpose: Eigen asks for this x86-only header when SSE is on; emscripten's SSE headers do without it.
+#pragma once
