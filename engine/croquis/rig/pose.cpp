@@ -19,8 +19,9 @@ Pose rest_pose(const Skeleton& skeleton) {
 void compute_model_transforms(const Skeleton& skeleton, const Pose& pose, std::span<Affine> model) {
   const int count = skeleton.joint_count();
   if (std::ssize(pose.local) != count || std::ssize(model) != count) {
-    throw_invalid_argument("compute_model_transforms: the skeleton has " + std::to_string(count) + " joints, the pose " +
-                           std::to_string(pose.local.size()) + ", the output " + std::to_string(model.size()));
+    throw_invalid_argument("compute_model_transforms: the skeleton has " + std::to_string(count) +
+                           " joints, the pose " + std::to_string(pose.local.size()) + ", the output " +
+                           std::to_string(model.size()));
   }
   model[0] = pose.local[0].to_affine();
   for (std::size_t i = 1; i < model.size(); ++i) {
