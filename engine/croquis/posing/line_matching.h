@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "croquis/math/camera.h"
+#include "croquis/posing/line_fit.h"
 #include "croquis/rig/body_line.h"
 #include "croquis/rig/pose.h"
 #include "croquis/sketch/stroke.h"
@@ -27,7 +28,7 @@ enum class MatchMethod {
 
 enum class RootMode {
   lock,     ///< the root of the skeleton neither moves nor turns
-  tangent,  ///< the root's up axis turns to the line's tangent where the root is matched
+  tangent,  ///< the root's up axis turns to the line's tangent p(r + e) - p(r - e) where the root is matched
 };
 
 /// Which way along the line a segment runs.
@@ -45,13 +46,6 @@ struct MatchOptions {
   DrawingPlane plane = DrawingPlane::free;
 };
 
-/// How near the posed line comes to what was drawn, in the picture.
-struct LineFit {
-  double mean_px = 0.0;      ///< mean distance from the projected joints of the line to the stroke
-  double max_px = 0.0;
-  double tangent_deg = 0.0;  ///< mean angle between projected bones and the stroke there, degrees
-};
-
 struct MatchResult {
   Pose pose;
   std::string status = "ok";  ///< "ok", or one sentence on what is not as asked ("bones were stretched by 12 %")
@@ -61,13 +55,23 @@ struct MatchResult {
 };
 
 /// Poses the joints of `segments` (see rig/body_line.h) along a stroke seen by `camera`. `start` is the pose the
-/// stroke was drawn over. Source: the lines-of-action report, sections III and IV.
+/// stroke was drawn over; the stroke lies in the drawing plane through the centre of the box around its joints.
+///
+/// All segments share the stroke: the root of each is matched with the stroke's nearest point, and from there the
+/// segment runs along it one way. Two segments with one root run opposite ways. `forward` sends a lone segment (and the
+/// second of two) the way the stroke was drawn. For each pivot in turn the rotation methods apply the shortest rotation
+/// that turns the next joint toward its target, to the pivot and everything below it; a joint from which several
+/// segments start is no pivot, as its turn for one would spoil the others. `near` and `curvilinear` move joints where
+/// their points are, so the pose has translations that it did not have.
+///
+/// Throws invalid_argument for an empty list, a segment that is none, a stroke without length, a pose of another size
+/// and a camera that cannot see the plane. Source: the lines-of-action report, sections III and IV.
 [[nodiscard]] MatchResult match_line(const Skeleton& skeleton, const Pose& start,
                                      std::span<const SkeletonSegment> segments, const Polyline2& stroke,
                                      const Camera& camera, const MatchOptions& options = {});
 
-/// The fit of a body line in a pose to a stroke.
-[[nodiscard]] LineFit measure_fit(const Skeleton& skeleton, const Pose& pose, const BodyLine& line,
-                                  const Polyline2& stroke, const Camera& camera);
+/// The same for a body line: `forward` and `backward` mean its own order, and the fit is measured along it.
+[[nodiscard]] MatchResult match_line(const Skeleton& skeleton, const Pose& start, const BodyLine& line,
+                                     const Polyline2& stroke, const Camera& camera, const MatchOptions& options = {});
 
 }  // namespace croquis
