@@ -35,6 +35,12 @@ TEST(Text, PrintableKeepsUtf8AndEscapesTheRest) {
   EXPECT_EQ(printable("abcdef", 3), "abc...");
 }
 
+TEST(Text, BytesThatAreNoUtf8AreTakenAsLatin1) {
+  EXPECT_EQ(to_utf8("t\xeate"), "tête");
+  EXPECT_EQ(to_utf8("tête 頭"), "tête 頭");
+  EXPECT_EQ(to_utf8("\xe9\xa0"), "\xc3\xa9\xc2\xa0");  // a character cut short
+}
+
 TEST(Text, SuggestsOnlyNearWords) {
   EXPECT_EQ(closest_word("LeftArn", {"LeftArm", "RightArm"}), "LeftArm");
   EXPECT_EQ(closest_word("xyz", {"LeftArm"}), "");

@@ -75,9 +75,11 @@ namespace {
 int utf8_length(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char lead = byte(0);
-  const int length = lead < 0x80 ? 1 : lead >= 0xc2 && lead < 0xe0 ? 2 : (lead & 0xf0) == 0xe0 ? 3
-                                   : lead >= 0xf0 && lead < 0xf5   ? 4
-                                                                   : 0;
+  const int length = lead < 0x80                   ? 1
+                     : lead >= 0xc2 && lead < 0xe0 ? 2
+                     : (lead & 0xf0) == 0xe0       ? 3
+                     : lead >= 0xf0 && lead < 0xf5 ? 4
+                                                   : 0;
   if (length == 0 || std::ssize(text) < length) return 0;
   for (int i = 1; i < length; ++i) {
     if ((byte(static_cast<std::size_t>(i)) & 0xc0) != 0x80) return 0;
@@ -106,6 +108,22 @@ std::string printable(std::string_view text, int longest) {
     }
   }
   return shown;
+}
+
+std::string to_utf8(std::string_view text) {
+  std::string valid;
+  while (!text.empty()) {
+    const auto length = static_cast<std::size_t>(utf8_length(text));
+    if (length > 0) {
+      valid += text.substr(0, length);
+    } else {
+      const auto byte = static_cast<unsigned char>(text.front());  // 0x80 or more: ASCII is valid
+      valid += static_cast<char>(0xc0 | (byte >> 6));
+      valid += static_cast<char>(0x80 | (byte & 0x3f));
+    }
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return valid;
 }
 
 std::string closest_word(std::string_view word, const std::vector<std::string>& candidates) {

@@ -24,6 +24,9 @@ namespace croquis {
 /// `text` fit for one line of a message: control characters and broken UTF-8 as \xNN, cut to `longest` bytes.
 [[nodiscard]] std::string printable(std::string_view text, int longest = 80);
 
+/// `text` with each byte that is no part of valid UTF-8 taken as Latin-1; valid text stays as it is.
+[[nodiscard]] std::string to_utf8(std::string_view text);
+
 /// The candidate closest to `word` by edit distance, if close enough to be worth suggesting; else empty.
 [[nodiscard]] std::string closest_word(std::string_view word, const std::vector<std::string>& candidates);
 
