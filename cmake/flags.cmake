@@ -21,9 +21,15 @@ target_compile_options(croquis_flags INTERFACE -ffp-contract=off)
 if(PROJECT_IS_TOP_LEVEL)
   target_compile_options(croquis_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wno-missing-field-initializers -Werror)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # Eigen's fixed-size code trips these in g++ 12 at -O2 and above.
-    target_compile_options(croquis_flags INTERFACE -Wno-maybe-uninitialized -Wno-array-bounds -Wno-stringop-overread)
+    # Eigen's fixed-size code, and the string operator+ of g++ 12 itself, trip these at -O2 and above.
+    target_compile_options(croquis_flags INTERFACE -Wno-maybe-uninitialized -Wno-array-bounds -Wno-stringop-overread
+                           -Wno-stringop-overflow -Wno-restrict)
   endif()
+endif()
+
+# On for the fuzzers' sake in the whole build: instrumenting twice would mean compiling twice.
+if(CROQUIS_FUZZERS)
+  target_compile_options(croquis_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
 set(CROQUIS_SANITIZE "" CACHE STRING "Sanitizers, such as address,undefined")
@@ -37,7 +43,8 @@ if(EMSCRIPTEN)
   # Wasm exceptions must be on at every compile and link step. SSE intrinsics map to wasm SIMD; the shim makes Eigen
   # take that road (it knows no wasm of its own).
   add_compile_options(-fwasm-exceptions -msimd128 -msse -msse2 -msse3 -mssse3 -msse4.1
-                      -I${PROJECT_SOURCE_DIR}/cmake/wasm "SHELL:-include ${PROJECT_SOURCE_DIR}/cmake/wasm/eigen_simd.h")
+                      -I${PROJECT_SOURCE_DIR}/cmake/wasm "SHELL:-isystem ${PROJECT_BINARY_DIR}/host-headers/eigen3"
+                      "SHELL:-include ${PROJECT_SOURCE_DIR}/cmake/wasm/eigen_simd.h")
   add_link_options(-fwasm-exceptions -sALLOW_MEMORY_GROWTH)
   # Debian's emcc looks for acorn where only Debian's own node looks by itself.
   set(CMAKE_CXX_LINKER_LAUNCHER env NODE_PATH=/usr/share/nodejs)

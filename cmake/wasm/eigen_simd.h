@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // clang calls itself GCC 4.2, for which Eigen 3.4 would pick x86 inline assembly in pmin and pmax.
 #pragma once
 #if defined(__cplusplus)

@@ -86,7 +86,7 @@ Bytes make_glb(std::string_view json, std::span<const std::byte> binary, std::sp
   append_u32(file, kMagic);
   append_u32(file, 2);
   append_u32(file, 0);
-  append_chunk(file, kJson, std::as_bytes(std::span(json)), std::byte{' '});
+  append_chunk(file, kJson, std::as_bytes(std::span<const char>(json)), std::byte{' '});
   if (!binary.empty()) append_chunk(file, kBin, binary, std::byte{0});
   for (const GlbChunk& chunk : others) append_chunk(file, chunk.type, chunk.bytes, std::byte{0});
   for (std::size_t i = 0; i < 4; ++i) file[8 + i] = static_cast<std::byte>((file.size() >> (8 * i)) & 0xffU);
