@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "croquis/anim/clip.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "croquis/base/error.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "croquis/base/random.h"
 
 #include <cmath>

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: MIT
 #include "croquis/math/camera.h"
+
+#include "support/random_math.h"
 
 #include <gtest/gtest.h>
 
 #include "croquis/base/error.h"
-#include "support/random_math.h"
 
 namespace croquis {
 namespace {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "croquis/math/polyline.h"
 
 #include <limits>

@@ -1,10 +1,10 @@
+// SPDX-License-Identifier: MIT
 #include "croquis/math/rotation.h"
 
+#include "support/random_math.h"
 #include <array>
 
 #include <gtest/gtest.h>
-
-#include "support/random_math.h"
 
 namespace croquis {
 namespace {

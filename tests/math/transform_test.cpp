@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #include "croquis/math/transform.h"
 
-#include <gtest/gtest.h>
-
 #include "support/random_math.h"
+
+#include <gtest/gtest.h>
 
 namespace croquis {
 namespace {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "croquis/mesh/mesh.h"
 
 #include <gtest/gtest.h>

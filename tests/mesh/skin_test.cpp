@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "croquis/mesh/skin.h"
 
 #include <limits>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "croquis/project/character.h"
 
 #include <gtest/gtest.h>

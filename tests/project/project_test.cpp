@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "croquis/project/project.h"
 
 #include <gtest/gtest.h>
@@ -9,8 +10,8 @@ namespace {
 
 Project one_actor() {
   const Skeleton skeleton({{"root", -1, {}}});
-  const auto character = std::make_shared<const Character>(
-      Character{.name = "dot", .skeleton = skeleton, .start = rest_pose(skeleton)});
+  const auto character =
+      std::make_shared<const Character>(Character{.name = "dot", .skeleton = skeleton, .start = rest_pose(skeleton)});
   Project project;
   project.actors.push_back({character, character->start});
   return project;

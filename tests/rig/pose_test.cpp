@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: MIT
 #include "croquis/rig/pose.h"
+
+#include "support/random_math.h"
 
 #include <gtest/gtest.h>
 
 #include "croquis/base/error.h"
 #include "croquis/math/rotation.h"
-#include "support/random_math.h"
 
 namespace croquis {
 namespace {

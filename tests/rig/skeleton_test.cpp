@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "croquis/rig/skeleton.h"
 
 #include <functional>
@@ -15,8 +16,8 @@ Joint joint(const std::string& name, int parent) { return {name, parent, Transfo
 
 /// hips(0) - spine(1) - head(2), hips - leg(3) - foot(4), and a second "leg"(5) under the hips.
 Skeleton small_body() {
-  return Skeleton({joint("hips", -1), joint("spine", 0), joint("head", 1), joint("leg", 0), joint("foot", 3),
-                   joint("leg", 0)});
+  return Skeleton(
+      {joint("hips", -1), joint("spine", 0), joint("head", 1), joint("leg", 0), joint("foot", 3), joint("leg", 0)});
 }
 
 std::string message_of(const std::function<void()>& action) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "croquis/solve/derivative_check.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Seeded random vectors and rotations for property tests.
 #pragma once
 

@@ -28,7 +28,8 @@ const Curve* busiest_curve(const Clip& clip) {
 }  // namespace
 
 void Curve::check() const {
-  const std::size_t per_key = (interpolation == Interpolation::cubic_spline ? 3U : 1U) * static_cast<std::size_t>(width);
+  const std::size_t per_key =
+      (interpolation == Interpolation::cubic_spline ? 3U : 1U) * static_cast<std::size_t>(width);
   const auto finite = [](double v) { return std::isfinite(v); };
   if (width < 1 || times.empty() || values.size() != times.size() * per_key) {
     throw_invalid_argument("Curve: wanted at least one key and " + std::to_string(per_key) + " numbers per key, got " +
@@ -102,9 +103,9 @@ int Clip::frame_count() const {
 
 double Clip::frame_time(int frame) const {
   if (frame < 0 || frame >= frame_count()) {
-    throw_invalid_argument("frame " + std::to_string(frame) + " is not there: the clip has " +
-                           (frame_count() == 0 ? std::string("no frame")
-                                               : "frames 0 to " + std::to_string(frame_count() - 1)));
+    throw_invalid_argument(
+        "frame " + std::to_string(frame) + " is not there: the clip has " +
+        (frame_count() == 0 ? std::string("no frame") : "frames 0 to " + std::to_string(frame_count() - 1)));
   }
   return busiest_curve(*this)->times[static_cast<std::size_t>(frame)];
 }

@@ -67,7 +67,8 @@ double Polyline<Point>::nearest(const Point& point) const {
 
 template <class Point>
 std::vector<Point> Polyline<Point>::resampled(int count) const {
-  if (count < 2) throw_invalid_argument("Polyline::resampled: count is " + std::to_string(count) + ", wanted 2 or more");
+  if (count < 2)
+    throw_invalid_argument("Polyline::resampled: count is " + std::to_string(count) + ", wanted 2 or more");
   std::vector<Point> result;
   result.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) result.push_back(at(length() * i / (count - 1)));

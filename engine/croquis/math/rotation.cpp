@@ -53,7 +53,8 @@ double twist_angle(const Quat& q, const Vec3& axis) {
 
 Quat from_euler(const std::array<int, 3>& order, const Vec3& angles) {
   Quat q = Quat::Identity();
-  for (int i = 0; i < 3; ++i) q = q * Quat(Eigen::AngleAxisd(angles[i], Vec3::Unit(order[static_cast<std::size_t>(i)])));
+  for (int i = 0; i < 3; ++i)
+    q = q * Quat(Eigen::AngleAxisd(angles[i], Vec3::Unit(order[static_cast<std::size_t>(i)])));
   return q;
 }
 

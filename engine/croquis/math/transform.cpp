@@ -27,8 +27,8 @@ Transform decompose(const Affine& affine, double* shear) {
     if (t.scale[c] != 0.0) m.col(c) /= t.scale[c];
   }
   if (shear != nullptr) {
-    *shear = std::max({std::abs(m.col(0).dot(m.col(1))), std::abs(m.col(1).dot(m.col(2))),
-                       std::abs(m.col(2).dot(m.col(0)))});
+    *shear = std::max(
+        {std::abs(m.col(0).dot(m.col(1))), std::abs(m.col(1).dot(m.col(2))), std::abs(m.col(2).dot(m.col(0)))});
   }
   // A flattened axis leaves its direction open: any direction orthogonal to the others will do.
   for (int c = 0; c < 3; ++c) {

@@ -30,7 +30,7 @@ struct SourceFile {
 
 /// What a picture needs to know of a material; the file's own material stays in the SourceFile.
 struct Material {
-  Vec4f base_color = Vec4f(0.8F, 0.8F, 0.8F, 1.0F);        ///< linear RGB and alpha
+  Vec4f base_color = Vec4f(0.8F, 0.8F, 0.8F, 1.0F);         ///< linear RGB and alpha
   std::shared_ptr<const Bytes> base_color_image = nullptr;  ///< an encoded PNG or JPEG; multiplies base_color
   bool double_sided = false;
   bool cut_out = false;  ///< texels of alpha below 0.5 are not drawn
@@ -43,7 +43,7 @@ struct Part {
   std::vector<BlendShape> shapes;
   std::vector<float> shape_weights;  ///< one per shape
   std::optional<Skin> skin;
-  int joint = 0;                             ///< without a skin: the joint that carries the mesh ...
+  int joint = 0;                                ///< without a skin: the joint that carries the mesh ...
   Affine joint_from_mesh = Affine::Identity();  ///< ... and where on it
   Material material;
 };
@@ -61,15 +61,15 @@ struct Licence {
 struct Character {
   std::string name;
   Skeleton skeleton;
-  Pose start;                           ///< how it stands when opened (a file's own pose; else rest)
-  HumanoidMap humanoid;                 ///< from the file (VRM), else recognised
-  Vec3 front = Vec3::UnitZ();           ///< the horizontal direction it faces at rest, unit, model space
+  Pose start;                  ///< how it stands when opened (a file's own pose; else rest)
+  HumanoidMap humanoid;        ///< from the file (VRM), else recognised
+  Vec3 front = Vec3::UnitZ();  ///< the horizontal direction it faces at rest, unit, model space
   std::vector<Part> parts;
   std::vector<Clip> clips;
   std::optional<Licence> licence;
-  std::vector<std::string> oddities;    ///< what is odd about the file, one sentence each
+  std::vector<std::string> oddities;  ///< what is odd about the file, one sentence each
   std::shared_ptr<const SourceFile> source;
-  std::vector<int> source_nodes;        ///< joint -> node of a glTF source, or -1; empty for other sources
+  std::vector<int> source_nodes;  ///< joint -> node of a glTF source, or -1; empty for other sources
 
   /// Throws invalid_argument unless every part, skin, curve and pose fits the skeleton.
   void check() const;

@@ -14,12 +14,12 @@ namespace croquis {
 
 /// How a stroke is meant: everything needed to solve it again and get the same pose.
 struct StrokeSettings {
-  std::string method = "rotation";    ///< a method's name as on the command line
-  std::string body_line;              ///< a standard line's name; empty where `joints` says it
-  std::vector<int> joints;            ///< the path, in the stroke's order; empty where `body_line` says it
-  std::string plane = "free";         ///< free | ground
-  std::string root = "lock";          ///< lock | tangent | free
-  std::string direction = "auto";     ///< auto | forward | backward | length
+  std::string method = "rotation";  ///< a method's name as on the command line
+  std::string body_line;            ///< a standard line's name; empty where `joints` says it
+  std::vector<int> joints;          ///< the path, in the stroke's order; empty where `body_line` says it
+  std::string plane = "free";       ///< free | ground
+  std::string root = "lock";        ///< lock | tangent | free
+  std::string direction = "auto";   ///< auto | forward | backward | length
 };
 
 /// A stroke in the view it was drawn in, on a character.
