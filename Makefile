@@ -1,0 +1,47 @@
+# The front door of Croquis. Each target installs what it lacks (Debian packages, npm packages) and says so.
+
+JOBS ?= $(shell nproc 2>/dev/null || echo 2)
+FUZZ_SECONDS ?= 600
+
+.PHONY: help demo build test bench fuzz format clean
+help:
+	@echo 'make demo     build the program; pose the mannequin along a drawn line: out/demo.glb and out/demo.png'
+	@echo 'make build    build the program: build/release/croquis'
+	@echo 'make test     build and run every test: native, with sanitizers, as WebAssembly, lint, format, fuzz'
+	@echo 'make bench    build and run the benchmarks'
+	@echo 'make fuzz     fuzz each reader for FUZZ_SECONDS=$(FUZZ_SECONDS) seconds'
+	@echo 'make format   lay out every source as .clang-format says'
+	@echo 'make clean    remove build/ and out/'
+
+build:
+	@tools/setup.sh program
+	@cmake --preset release -DCROQUIS_TESTS=OFF
+	@cmake --build build/release --target croquis -j $(JOBS)
+	@echo 'The program is build/release/croquis'
+
+demo: build
+	@mkdir -p out
+	build/release/croquis pose mannequin --line assets/demo_line.svg --view three-quarter -o out/demo.glb --picture out/demo.png
+	@echo 'See out/demo.png, and open out/demo.glb in any viewer'
+
+test:
+	@tools/setup.sh program tests npm
+	@tools/test.sh $(JOBS)
+
+bench:
+	@tools/setup.sh program bench
+	cmake --preset release -DCROQUIS_TESTS=OFF -DCROQUIS_BENCHMARKS=ON
+	cmake --build build/release --target benchmarks -j $(JOBS)
+	cmake --build build/release --target run_benchmarks
+
+fuzz:
+	@tools/setup.sh fuzz
+	@tools/fuzz.sh $(JOBS) $(FUZZ_SECONDS)
+
+format:
+	@tools/setup.sh format
+	@git ls-files '*.h' '*.cpp' | xargs clang-format-14 -i
+	@echo 'Formatted'
+
+clean:
+	rm -rf build out
