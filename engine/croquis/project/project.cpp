@@ -17,9 +17,14 @@ void Project::check() const {
     const Actor& actor = actors[static_cast<std::size_t>(i)];
     want(actor.character != nullptr, "an actor has no character");
     want(fits(actor.pose, i), "an actor's pose does not fit its skeleton");
+    for (const Pin& pin : actor.pins) {
+      want(pin.joint >= 0 && pin.joint < actor.character->skeleton.joint_count(),
+           "a pin holds a joint that is not there");
+    }
   }
   for (const PlacedStroke& placed : strokes) {
     want(is_actor(placed.actor), "a stroke belongs to an actor that is not there");
+    want(!placed.before || fits(*placed.before, placed.actor), "the pose under a stroke does not fit its actor");
     placed.camera.check();
   }
   for (const NamedPose& named : poses) {

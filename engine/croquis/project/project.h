@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include "croquis/math/camera.h"
 #include "croquis/project/character.h"
+#include "croquis/rig/body_line.h"
 #include "croquis/sketch/stroke.h"
 
 namespace croquis {
@@ -20,6 +22,11 @@ struct StrokeSettings {
   std::string plane = "free";       ///< free | ground
   std::string root = "lock";        ///< lock | tangent | free
   std::string direction = "auto";   ///< auto | forward | backward | length
+  std::string move = "line";        ///< line | body: what else may move
+  std::string length = "fit";       ///< fit | scale | trim | extend
+  double exaggerate = 1.0;          ///< factor on the line's curvature, 0..2
+  double weight = 1.0;              ///< against other strokes, > 0
+  int alternative = 0;              ///< which reading of the line, 0 the likeliest
 };
 
 /// A stroke in the view it was drawn in, on a character.
@@ -29,12 +36,34 @@ struct PlacedStroke {
   StrokeSettings settings;
   int actor = 0;
   bool hidden = false;
+  int id = 0;                  ///< unlike any other stroke's; 0 where nobody refers to it
+  std::optional<Pose> before;  ///< how the actor stood when it was drawn: where solving it again starts
+  BodyLine line;               ///< the line that was solved last; no joints before
+};
+
+/// A joint that stays where it is while the rest moves.
+struct Pin {
+  int joint = 0;
+  Vec3 position = Vec3::Zero();  ///< model space
+  std::optional<Quat> rotation;  ///< model space; without it the joint may turn in its place
 };
 
 /// A character on the table with the pose it holds now.
 struct Actor {
   std::shared_ptr<const Character> character;
   Pose pose;
+  int id = 0;  ///< unlike any other actor's; 0 where nobody refers to it
+  std::vector<Pin> pins;
+  std::string builtin;                        ///< the name of a built-in character; empty for one from a file
+  std::map<std::string, double> proportions;  ///< of a built-in character, where they are not as designed
+};
+
+/// What holds for every line drawn on this table.
+struct TableSettings {
+  std::string limits = "anatomical";  ///< anatomical | dancer | cartoon | none
+  bool floor = true;                  ///< feet that stand on the floor stay there
+  bool balance = false;
+  std::string root = "free";  ///< lock | tangent | free
 };
 
 struct NamedPose {
@@ -54,6 +83,8 @@ struct Project {
   std::vector<PlacedStroke> strokes;
   std::vector<NamedPose> poses;
   std::vector<NamedView> views;
+  TableSettings settings;
+  int next_id = 1;  ///< for the next actor or stroke
 
   /// Throws invalid_argument unless indices and sizes fit.
   void check() const;
