@@ -82,6 +82,7 @@ std::shared_ptr<const Json> parse_json(std::string_view text) {
 
 bool JsonPlace::is_object() const { return exists() && value_->is_object(); }
 bool JsonPlace::is_array() const { return exists() && value_->is_array(); }
+bool JsonPlace::is_text() const { return exists() && value_->is_string(); }
 
 JsonPlace JsonPlace::operator[](std::string_view key) const {
   std::string pointer = pointer_ + "/" + pointer_token(key);

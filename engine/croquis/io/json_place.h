@@ -31,6 +31,7 @@ class JsonPlace {
 
   [[nodiscard]] bool is_object() const;
   [[nodiscard]] bool is_array() const;
+  [[nodiscard]] bool is_text() const;
   [[nodiscard]] JsonPlace operator[](std::string_view key) const;  ///< a member of an object (or of nothing)
   [[nodiscard]] JsonPlace operator[](int index) const;             ///< an element, within size()
   [[nodiscard]] int size() const;                                  ///< elements of an array
