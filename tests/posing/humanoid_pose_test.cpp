@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "croquis/posing/humanoid_pose.h"
 
 #include "posing/small_humanoid.h"

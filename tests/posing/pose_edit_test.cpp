@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "croquis/posing/pose_edit.h"
 
 #include "posing/small_humanoid.h"

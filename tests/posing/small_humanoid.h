@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A humanoid of fifteen joints in a T-pose, facing +Z; each joint's axes may be rolled at will, which must not matter.
 #pragma once
 
