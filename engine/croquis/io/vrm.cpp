@@ -103,8 +103,7 @@ VrmInfo read_vrm(const GltfDocument& document, std::vector<std::string>& odditie
     read_bones_of_vrm1(animation, nodes, info, oddities);
   }
   const JsonPlace copyright = document.root()["asset"]["copyright"];
-  if (!info.licence && copyright.is_text())
-    info.licence = Licence{.name = copyright.text()};
+  if (!info.licence && copyright.is_text()) info.licence = Licence{.name = copyright.text()};
   return info;
 }
 
