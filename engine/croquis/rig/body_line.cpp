@@ -30,26 +30,30 @@ BodyLine line_between(const Skeleton& skeleton, int a, int b, std::string name) 
 /// The lines of a humanoid that its bones allow.
 std::vector<BodyLine> humanoid_lines(const Skeleton& skeleton, const HumanoidMap& humanoid) {
   using enum HumanoidBone;
-  const HumanoidBone top = humanoid.has(head) ? head : neck;
+  const auto or_else = [&](HumanoidBone bone, HumanoidBone other) { return humanoid.has(bone) ? bone : other; };
+  const HumanoidBone top = or_else(head, neck);
+  // A limb without hand or foot ends at its lower joint.
+  const HumanoidBone left_hand = or_else(leftHand, leftLowerArm), right_hand = or_else(rightHand, rightLowerArm);
+  const HumanoidBone left_foot = or_else(leftFoot, leftLowerLeg), right_foot = or_else(rightFoot, rightLowerLeg);
   const struct {
     const char* name;
     HumanoidBone from, to;
   } wanted[] = {
       {"trunk", hips, top},
-      {"left_foot-head", leftFoot, top},
-      {"right_foot-head", rightFoot, top},
-      {"left_hand-right_hand", leftHand, rightHand},
-      {"left_foot-right_hand", leftFoot, rightHand},
-      {"right_foot-left_hand", rightFoot, leftHand},
-      {"left_foot-left_hand", leftFoot, leftHand},
-      {"right_foot-right_hand", rightFoot, rightHand},
-      {"left_foot-right_foot", leftFoot, rightFoot},
-      {"hips-left_hand", hips, leftHand},
-      {"hips-right_hand", hips, rightHand},
-      {"left_arm", leftUpperArm, leftHand},
-      {"right_arm", rightUpperArm, rightHand},
-      {"left_leg", leftUpperLeg, leftFoot},
-      {"right_leg", rightUpperLeg, rightFoot},
+      {"left_foot-head", left_foot, top},
+      {"right_foot-head", right_foot, top},
+      {"left_hand-right_hand", left_hand, right_hand},
+      {"left_foot-right_hand", left_foot, right_hand},
+      {"right_foot-left_hand", right_foot, left_hand},
+      {"left_foot-left_hand", left_foot, left_hand},
+      {"right_foot-right_hand", right_foot, right_hand},
+      {"left_foot-right_foot", left_foot, right_foot},
+      {"hips-left_hand", hips, left_hand},
+      {"hips-right_hand", hips, right_hand},
+      {"left_arm", leftUpperArm, left_hand},
+      {"right_arm", rightUpperArm, right_hand},
+      {"left_leg", leftUpperLeg, left_foot},
+      {"right_leg", rightUpperLeg, right_foot},
   };
   std::vector<BodyLine> lines;
   for (const auto& [name, from, to] : wanted) {

@@ -57,8 +57,8 @@ std::optional<HumanoidBone> HumanoidMap::bone_of(int joint) const {
 
 bool HumanoidMap::is_humanoid() const {
   using enum HumanoidBone;
-  for (const HumanoidBone bone : {hips, leftUpperLeg, leftLowerLeg, leftFoot, rightUpperLeg, rightLowerLeg, rightFoot,
-                                  leftUpperArm, leftLowerArm, leftHand, rightUpperArm, rightLowerArm, rightHand}) {
+  for (const HumanoidBone bone : {hips, leftUpperLeg, leftLowerLeg, rightUpperLeg, rightLowerLeg, leftUpperArm,
+                                  leftLowerArm, rightUpperArm, rightLowerArm}) {
     if (!has(bone)) return false;
   }
   return has(head) || has(neck);

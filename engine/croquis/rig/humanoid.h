@@ -48,7 +48,7 @@ struct HumanoidMap {
   void set(HumanoidBone bone, int joint, double confidence);
   /// The bone that a joint plays, if any.
   [[nodiscard]] std::optional<HumanoidBone> bone_of(int joint) const;
-  /// Hips, a head or neck, both arms and both legs are there.
+  /// Hips, a head or neck, both arms and both legs are there; hands and feet may be missing.
   [[nodiscard]] bool is_humanoid() const;
 };
 
