@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "croquis/base/error.h"
 #include "croquis/base/text.h"
 #include "croquis/io/bvh_motion.h"
+#include "croquis/io/unique_names.h"
 
 namespace croquis {
 namespace {
@@ -17,27 +17,9 @@ int root_count(const BvhText& text) {
       std::count_if(text.nodes.begin(), text.nodes.end(), [](const BvhNode& n) { return n.parent < 0; }));
 }
 
-/// Names for the End Sites: `<parent>_end`, with a number where that is taken.
-class EndNames {
- public:
-  explicit EndNames(const BvhText& text) {
-    for (const BvhNode& node : text.nodes) last_number_[node.name] = 1;
-  }
-  std::string next(const std::string& parent) {
-    const std::string base = parent + "_end";
-    int& number = last_number_[base];
-    std::string name = base;
-    while (++number > 1 && !last_number_.try_emplace(name = base + std::to_string(number), 1).second) {
-    }
-    return name;
-  }
-
- private:
-  std::map<std::string, int> last_number_;  // of every name that is taken
-};
-
 Skeleton make_skeleton(const BvhText& text) {
-  EndNames end_names(text);
+  UniqueNames names;
+  for (const BvhNode& node : text.nodes) names.take(node.name);
   const int helpers = root_count(text) > 1 ? 1 : 0;
   std::vector<Joint> joints;
   joints.reserve(text.nodes.size() + 1);
@@ -45,7 +27,11 @@ Skeleton make_skeleton(const BvhText& text) {
   for (const BvhNode& node : text.nodes) {
     Joint joint;
     joint.parent = node.parent < 0 ? helpers - 1 : node.parent + helpers;
-    joint.name = node.end_site ? end_names.next(joints[static_cast<std::size_t>(joint.parent)].name) : node.name;
+    if (node.end_site) {
+      joint.name = names.next(joints[static_cast<std::size_t>(joint.parent)].name + "_end", "");
+    } else {
+      joint.name = node.name;
+    }
     joint.rest.translation = node.offset;
     joints.push_back(std::move(joint));
   }

@@ -188,6 +188,7 @@ class Parser {
 
   void channels(int index) {
     BvhNode& owner = node(index);
+    if (index + 1 != std::ssize(file_.nodes)) fail("CHANNELS of " + called(index) + " behind the joints within it");
     if (owner.channels_text.end != 0) fail("a second CHANNELS of " + called(index));
     owner.channels_text.begin = words_.word_begin();
     const std::string_view word = words_.next();
