@@ -48,9 +48,12 @@ TEST(Rotation, EulerAnglesComeBackInEveryOrder) {
       const Vec3 angles(random.uniform(-3, 3), random.uniform(-1.5, 1.5), random.uniform(-3, 3));
       EXPECT_LT((to_euler(order, from_euler(order, angles)) - angles).norm(), 1e-9);
     }
-    for (const double middle : {-kPi / 2, kPi / 2}) {
-      const Quat locked = from_euler(order, Vec3(0.3, middle, 0.4));
-      EXPECT_LT(from_euler(order, to_euler(order, locked)).angularDistance(locked), 1e-6);
+    for (const double from_lock : {0.0, 1e-15, 1e-12, 1e-9, 1e-6, 1e-3}) {
+      for (const double side : {-1.0, 1.0}) {
+        const Quat locked = from_euler(order, Vec3(0.3, side * (kPi / 2 - from_lock), 0.4));
+        const Quat back = from_euler(order, to_euler(order, locked));
+        EXPECT_LT((back.toRotationMatrix() - locked.toRotationMatrix()).norm(), 1e-14) << from_lock;
+      }
     }
   } while (std::next_permutation(order.begin(), order.end()));
 }

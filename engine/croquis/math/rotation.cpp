@@ -62,9 +62,12 @@ Vec3 to_euler(const std::array<int, 3>& order, const Quat& q) {
   const int i = order[0], j = order[1], k = order[2];
   const double parity = (j - i + 3) % 3 == 1 ? 1.0 : -1.0;
   const Mat3 m = q.normalized().toRotationMatrix();
-  const double middle = std::asin(std::clamp(parity * m(i, k), -1.0, 1.0));
-  if (std::abs(m(i, k)) > 1.0 - 1e-12) return {parity * std::atan2(m(k, j), m(j, j)), middle, 0.0};
-  return {std::atan2(-parity * m(j, k), m(k, k)), middle, std::atan2(-parity * m(i, j), m(i, i))};
+  const double level = std::hypot(m(j, k), m(k, k));  // cosine of the middle angle
+  const double middle = std::atan2(parity * m(i, k), level);
+  const double first = level < 1e-12 ? parity * std::atan2(m(k, j), m(j, j)) : std::atan2(-parity * m(j, k), m(k, k));
+  // Near the lock `first` is noise; the third angle is read from what `first` leaves, so that their noises cancel.
+  const Mat3 rest = Eigen::AngleAxisd(-first, Vec3::Unit(i)).toRotationMatrix() * m;
+  return {first, middle, std::atan2(parity * rest(j, i), rest(j, j))};
 }
 
 }  // namespace croquis

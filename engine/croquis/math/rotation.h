@@ -29,8 +29,8 @@ struct SwingTwist {
 [[nodiscard]] double twist_angle(const Quat& q, const Vec3& axis);
 
 /// Euler angles in file order: q = R_order[0](a[0]) * R_order[1](a[1]) * R_order[2](a[2]), axes 0, 1, 2 = X, Y, Z, all
-/// three different, angles in radians. `to_euler` picks the middle angle in [-pi/2, pi/2]; near gimbal lock the third
-/// angle is 0.
+/// three different, angles in radians. `to_euler` picks the middle angle in [-pi/2, pi/2]; at gimbal lock the third
+/// angle is 0. The rotation comes back to rounding error, near the lock too.
 [[nodiscard]] Quat from_euler(const std::array<int, 3>& order, const Vec3& angles);
 [[nodiscard]] Vec3 to_euler(const std::array<int, 3>& order, const Quat& q);
 
