@@ -15,7 +15,7 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 /// The layout of a BVH source; without nodes if the skeleton is no longer the file's.
 BvhLayout source_layout(const Character& character) {
   const Bytes& bytes = character.source->bytes;
-  BvhText text = parse_bvh(bytes);
+  BvhText text = parse_bvh(bytes, kBvhTellingFrames);
   const int helpers = character.skeleton.joint_count() - static_cast<int>(text.nodes.size());
   BvhLayout layout;
   if (helpers < 0 || helpers > 1) return layout;

@@ -32,8 +32,7 @@ RotationOrder rotation_order(const BvhNode& node) {
 
 bool bvh_positions_are_added(const BvhText& text) {
   double positions = 0.0, offsets = 0.0;
-  const int step = std::max(1, text.frame_count / 64);
-  for (int frame = 0; frame < text.frame_count; frame += step) {
+  for (int frame = 0; frame < std::min(text.frame_count, kBvhTellingFrames); ++frame) {
     const std::span<const double> row = text.row(frame);
     for (const BvhNode& node : text.nodes) {
       if (node.parent < 0) continue;

@@ -6,6 +6,8 @@
 
 namespace croquis {
 
+inline constexpr int kBvhTellingFrames = 64;
+
 /// Whether the positions of this file's joints lie about zero and are meant to be added to the OFFSETs (MakeHuman
 /// writes so), rather than replacing them as nearly everywhere: taken over all joints but the ROOTs and the End Sites,
 /// they are less than a tenth of the OFFSETs in size.

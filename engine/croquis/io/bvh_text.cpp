@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string_view>
 #include <utility>
 
@@ -99,7 +100,7 @@ std::string shown(std::string_view word) {
 
 class Parser {
  public:
-  explicit Parser(std::string_view text) : text_(text), words_(text) {}
+  Parser(std::string_view text, int most_frames) : text_(text), words_(text), most_frames_(most_frames) {}
 
   BvhText parse() {
     if (const std::size_t end = text_.find_first_of("\r\n"); end != std::string_view::npos) {
@@ -231,7 +232,7 @@ class Parser {
     file_.frame_time = *seconds;
     file_.frame_time_text = time;
     rows(announced);
-    if (file_.frame_count != announced) {
+    if (file_.frame_count != std::min(announced, most_frames_)) {
       file_.oddities.push_back(std::to_string(announced) + " frames are announced, " +
                                std::to_string(file_.frame_count) + " are there");
     }
@@ -253,9 +254,12 @@ class Parser {
 
   void rows(int announced) {
     const auto width = static_cast<std::size_t>(file_.channel_count);
+    const auto most_values = std::uint64_t{width} * static_cast<std::uint64_t>(most_frames_);
     std::vector<double>& values = file_.values;
     // A number and the space after it take two bytes at least: an announced size is not trusted beyond that.
-    values.reserve(std::min(static_cast<std::size_t>(announced) * width, (text_.size() - words_.position()) / 2 + 1));
+    values.reserve(
+        static_cast<std::size_t>(std::min({std::uint64_t{width} * static_cast<std::uint64_t>(announced), most_values,
+                                           std::uint64_t{text_.size() - words_.position()} / 2 + 1})));
     int ragged_line = 0, line = 0;
     std::size_t ragged_begin = 0, line_begin = 0;
     const auto end_line = [&] {
@@ -271,6 +275,7 @@ class Parser {
       if (words_.line() != line) end_line();
       line = words_.line();
       values.push_back(value);
+      if (values.size() >= most_values) break;
     }
     end_line();
     if (width == 0 && !values.empty())
@@ -297,6 +302,7 @@ class Parser {
 
   std::string_view text_;
   Words words_;
+  int most_frames_;
   BvhText file_;
   std::vector<bool> has_offset_;
   bool odd_name_ = false;  // one is enough to tell of
@@ -308,8 +314,8 @@ bool BvhNode::has(BvhChannel channel) const {
   return std::find(channels.begin(), channels.end(), channel) != channels.end();
 }
 
-BvhText parse_bvh(std::span<const std::byte> bytes) {
-  return Parser({reinterpret_cast<const char*>(bytes.data()), bytes.size()}).parse();
+BvhText parse_bvh(std::span<const std::byte> bytes, int most_frames) {
+  return Parser({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, most_frames).parse();
 }
 
 }  // namespace croquis

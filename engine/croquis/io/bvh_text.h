@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -60,6 +61,7 @@ struct BvhText {
 /// lines, joints without CHANNELS or End Site, several ROOTs, a hierarchy without MOTION, more or fewer rows than
 /// announced. Throws Error{bad_file} with the line: a word out of place, a number that is none (nan and inf too) or
 /// beyond 1e12, a channel twice on one joint, a row with numbers missing (unless all announced rows stand before it).
-[[nodiscard]] BvhText parse_bvh(std::span<const std::byte> bytes);
+/// Stops after `most_frames` rows, without looking at what follows.
+[[nodiscard]] BvhText parse_bvh(std::span<const std::byte> bytes, int most_frames = std::numeric_limits<int>::max());
 
 }  // namespace croquis
