@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "croquis/body/forms.h"
+#include "croquis/body/mannequin.h"
+
+namespace croquis {
+
+/// In head heights: y from the chin, z from the axis of the neck. Simple planes, as on a drawing-school head: a ball
+/// for the skull, a wedge for the face, brow, nose, cheekbone and jaw where the light turns.
+Limb make_head(const MannequinMeasures& m, const Armature& a) {
+  const double h = m.head;
+  const Vec3 x = Vec3::UnitX(), z = Vec3::UnitZ();
+  const auto at = [&](double px, double py, double pz) { return Vec3(h * px, m.chin + h * py, h * (pz + 0.01)); };
+  const auto section = [&](double y, double cz, double side, double front, double back, double square = 0.0) {
+    return oval_section(at(0.0, y, cz), h * side, h * front, h * back, square);
+  };
+  const auto traits = [&](double blend, double detail = 0.05) {
+    return FormTraits{{a.find("head")}, blend * h, detail * h, 0.9};
+  };
+  Limb head{{}, 0.07 * m.unit};
+  head.forms.push_back(make_form(Ellipsoid(at(0.0, 0.655, -0.07), h * Vec3(0.335, 0.345, 0.425)), traits(0.0)));
+  head.forms.push_back(
+      make_form(Loft({section(0.075, 0.235, 0.11, 0.10, 0.10), section(0.20, 0.19, 0.185, 0.165, 0.16, 0.1),
+                      section(0.38, 0.15, 0.245, 0.20, 0.20, 0.2), section(0.55, 0.11, 0.275, 0.24, 0.2, 0.25),
+                      section(0.72, 0.06, 0.28, 0.28, 0.2, 0.2)},
+                     x, z, 0.075 * h, 0.1 * h),
+                traits(0.10, 0.04)));
+  // Jaw, from the ear to the chin.
+  head.forms.push_back(make_form(Loft({oval_section(at(0.245, 0.40, -0.03), 0.055 * h, 0.09 * h),
+                                       oval_section(at(0.225, 0.24, 0.02), 0.055 * h, 0.08 * h),
+                                       oval_section(at(0.07, 0.075, 0.235), 0.06 * h, 0.065 * h)},
+                                      x, z),
+                                 traits(0.10, 0.04)));
+  head.forms.push_back(make_form(Ellipsoid(at(0.195, 0.43, 0.19), h * Vec3(0.085, 0.06, 0.10)), traits(0.07, 0.035)));
+  head.forms.push_back(make_form(Ellipsoid(at(0.0, 0.225, 0.255), h * Vec3(0.115, 0.09, 0.105)), traits(0.06, 0.035)));
+  head.forms.push_back(make_carving(
+      Ellipsoid(at(0.135, 0.495, 0.385), h * Vec3(0.095, 0.050, 0.065), turned(0.0, 20.0, -4.0)), traits(0.07, 0.03)));
+  head.forms.push_back(make_form(
+      Loft({round_section(at(0.03, 0.555, 0.315), 0.032 * h), round_section(at(0.13, 0.570, 0.295), 0.032 * h),
+            round_section(at(0.22, 0.545, 0.215), 0.03 * h)},
+           Vec3::UnitY(), z),
+      traits(0.05, 0.032)));
+  // Nose: a wedge that comes forward to a rounded tip.
+  head.forms.push_back(make_form(Loft({oval_section(at(0.0, 0.545, 0.315), 0.03 * h, 0.03 * h),
+                                       oval_section(at(0.0, 0.46, 0.355), 0.033 * h, 0.035 * h),
+                                       oval_section(at(0.0, 0.36, 0.405), 0.045 * h, 0.04 * h)},
+                                      x, z),
+                                 traits(0.045, 0.025)));
+  head.forms.push_back(
+      make_form(Ellipsoid(at(0.045, 0.350, 0.365), h * Vec3(0.033, 0.027, 0.042)), traits(0.03, 0.022)));
+  // Lips, chin.
+  head.forms.push_back(make_form(Ellipsoid(at(0.0, 0.245, 0.352), h * Vec3(0.075, 0.020, 0.028)), traits(0.03, 0.024)));
+  head.forms.push_back(make_form(Ellipsoid(at(0.0, 0.200, 0.345), h * Vec3(0.065, 0.022, 0.030)), traits(0.03, 0.024)));
+  head.forms.push_back(make_form(Ellipsoid(at(0.0, 0.070, 0.290), h * Vec3(0.070, 0.055, 0.060)), traits(0.06, 0.03)));
+  Limb ear{{}, 0.035 * h};
+  ear.forms.push_back(
+      make_form(Ellipsoid(at(0.335, 0.455, -0.07), h * Vec3(0.028, 0.095, 0.060), turned(-14.0, -22.0, -8.0)),
+                traits(0.0, 0.028)));
+  head.limbs.push_back(ear);
+  return head;
+}
+
+}  // namespace croquis

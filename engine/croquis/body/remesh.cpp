@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+// Incremental remeshing after botsch2004, with the sizing and the projection taken from the implicit surface itself.
+#include "croquis/body/remesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "croquis/body/half_edges.h"
+
+namespace croquis {
+namespace {
+
+struct Vertex {
+  Vec3 position;
+  Vec3 normal = Vec3::Zero();
+  double length = 0.01;  ///< wanted length of its edges
+  bool on_rim = false;
+};
+
+class Remesher {
+ public:
+  Remesher(const ImplicitSurface& surface, const Triangulation& mesh)
+      : surface_(surface), edges_(static_cast<int>(mesh.positions.size()), mesh.triangles) {
+    for (int v = 0; v < std::ssize(mesh.positions); ++v) {
+      vertices_.push_back({mesh.positions[static_cast<std::size_t>(v)]});
+      vertices_.back().on_rim = edges_.is_vertex_alive(v) && edges_.is_on_rim(v);
+    }
+    for (Vertex& v : vertices_) project(v);
+  }
+
+  Triangulation run(const RemeshOptions& options) {
+    for (int round = 0; round < options.rounds; ++round) {
+      smooth_lengths();
+      if (round > 0) split_long();
+      collapse_short();
+      flip();
+      relax();
+    }
+    for (int round = 0; round < options.final_rounds; ++round) {
+      flip();
+      relax();
+    }
+    return collect();
+  }
+
+ private:
+  Vertex& vertex(int v) { return vertices_[static_cast<std::size_t>(v)]; }
+  [[nodiscard]] const Vertex& vertex(int v) const { return vertices_[static_cast<std::size_t>(v)]; }
+  [[nodiscard]] double length_of(int h) const {
+    return (vertex(edges_.target(h)).position - vertex(edges_.origin(h)).position).norm();
+  }
+  [[nodiscard]] double wanted(int h) const {
+    return 0.5 * (vertex(edges_.target(h)).length + vertex(edges_.origin(h)).length);
+  }
+  [[nodiscard]] Vec3 area_vector(int a, int b, int c) const {
+    return (vertex(b).position - vertex(a).position).cross(vertex(c).position - vertex(a).position);
+  }
+
+  void project(Vertex& v) {
+    for (int step = 0; step < 2; ++step) {
+      const FieldSample field = surface_.sample(v.position);
+      Vec3 gradient = field.gradient;
+      if (v.on_rim) gradient.x() = 0.0;
+      const double steepness = gradient.squaredNorm();
+      v.length = field.detail;
+      if (steepness < 1e-4) break;
+      const double reach = field.detail / std::sqrt(steepness);
+      v.position -= std::clamp(field.value / steepness, -reach, reach) * gradient;
+      v.normal = gradient / std::sqrt(steepness);
+      if (std::abs(field.value) < 1e-3 * field.detail) break;
+    }
+  }
+
+  void smooth_lengths() {
+    for (int round = 0; round < 3; ++round) {
+      for (int v = 0; v < edges_.vertex_count(); ++v) {
+        if (!edges_.is_vertex_alive(v)) continue;
+        edges_.neighbours(v, around_);
+        double sum = 0.0, least = 1e9;
+        for (const int n : around_) {
+          sum += vertex(n).length;
+          least = std::min(least, vertex(n).length);
+        }
+        const double mean = 0.5 * vertex(v).length + 0.5 * sum / static_cast<double>(around_.size());
+        vertex(v).length = std::min(mean, 1.3 * least);
+      }
+    }
+  }
+
+  void split_long() {
+    const int count = edges_.count();
+    for (int h = 0; h < count; ++h) {
+      if (!edges_.is_alive(h) || h < edges_.twin(h) || length_of(h) < 4.0 / 3.0 * wanted(h)) continue;
+      Vertex middle;
+      middle.position = 0.5 * (vertex(edges_.origin(h)).position + vertex(edges_.target(h)).position);
+      middle.on_rim = edges_.twin(h) < 0;
+      project(middle);
+      edges_.split(h);
+      vertices_.push_back(middle);
+    }
+  }
+
+  /// No triangle around origin(h) may turn over or grow an edge that would have to be split again.
+  bool collapse_keeps_shape(int h) {
+    const int a = edges_.origin(h), b = edges_.target(h);
+    edges_.outgoing(a, around_);
+    for (const int g : around_) {
+      const int c = edges_.target(g), d = edges_.origin(HalfEdges::previous(g));
+      const double far = (vertex(c).position - vertex(b).position).norm();
+      if (c != b && far > 4.0 / 3.0 * 0.5 * (vertex(c).length + vertex(b).length)) return false;
+      if (c == b || d == b) continue;
+      const Vec3 before = area_vector(a, c, d), after = area_vector(b, c, d);
+      if (before.dot(after) < 0.3 * before.norm() * after.norm()) return false;
+      if (after.dot(vertex(b).normal) < 0.2 * after.norm()) return false;
+    }
+    return true;
+  }
+
+  void collapse_short() {
+    for (int h = 0; h < edges_.count(); ++h) {
+      if (!edges_.is_alive(h) || length_of(h) > 0.8 * wanted(h)) continue;
+      if (!edges_.can_collapse(h) || !collapse_keeps_shape(h)) continue;
+      edges_.collapse(h);
+    }
+  }
+
+  [[nodiscard]] int valence_excess(int v) {
+    edges_.neighbours(v, around_);
+    return static_cast<int>(around_.size()) - (vertex(v).on_rim ? 4 : 6);
+  }
+
+  void flip() {
+    const auto squared = [](int x) { return x * x; };
+    for (int h = 0; h < edges_.count(); ++h) {
+      const int t = edges_.is_alive(h) ? edges_.twin(h) : -1;
+      if (t < 0 || h < t || !edges_.can_flip(h)) continue;
+      const int a = edges_.origin(h), b = edges_.target(h);
+      const int c = edges_.origin(HalfEdges::previous(h)), d = edges_.origin(HalfEdges::previous(t));
+      const int ea = valence_excess(a), eb = valence_excess(b), ec = valence_excess(c), ed = valence_excess(d);
+      const int before = squared(ea) + squared(eb) + squared(ec) + squared(ed);
+      const int after = squared(ea - 1) + squared(eb - 1) + squared(ec + 1) + squared(ed + 1);
+      if (after >= before) continue;
+      const Vec3 n = area_vector(a, b, c) + area_vector(b, a, d);
+      const Vec3 first = area_vector(d, c, a), second = area_vector(c, d, b);
+      const double size = n.norm();
+      if (first.dot(n) < 0.5 * first.norm() * size || second.dot(n) < 0.5 * second.norm() * size) continue;
+      edges_.flip(h);
+    }
+  }
+
+  void relax() {
+    std::vector<Vec3> moved(vertices_.size());
+    for (int v = 0; v < edges_.vertex_count(); ++v) {
+      if (!edges_.is_vertex_alive(v)) continue;
+      const Vertex& here = vertex(v);
+      edges_.neighbours(v, around_);
+      Vec3 sum = Vec3::Zero();
+      double weights = 0.0;
+      for (std::size_t n = 0; n < around_.size(); ++n) {
+        if (here.on_rim && n > 0 && n + 1 < around_.size()) continue;  // along the rim only
+        const Vertex& other = vertex(around_[n]);
+        const double weight = 1.0 / other.length;
+        sum += weight * other.position;
+        weights += weight;
+      }
+      Vec3 step = sum / weights - here.position;
+      step -= step.dot(here.normal) * here.normal;
+      if (here.on_rim) step.x() = 0.0;
+      moved[static_cast<std::size_t>(v)] = here.position + 0.7 * step;
+    }
+    for (int v = 0; v < edges_.vertex_count(); ++v) {
+      if (!edges_.is_vertex_alive(v)) continue;
+      vertex(v).position = moved[static_cast<std::size_t>(v)];
+      project(vertex(v));
+    }
+  }
+
+  Triangulation collect() const {
+    Triangulation result;
+    std::vector<int> index(vertices_.size(), -1);
+    result.triangles = edges_.triangles();
+    for (auto& triangle : result.triangles) {
+      for (int& v : triangle) {
+        int& number = index[static_cast<std::size_t>(v)];
+        if (number < 0) {
+          number = static_cast<int>(result.positions.size());
+          result.positions.push_back(vertex(v).position);
+          if (vertex(v).on_rim) result.positions.back().x() = 0.0;
+        }
+        v = number;
+      }
+    }
+    return result;
+  }
+
+  const ImplicitSurface& surface_;
+  HalfEdges edges_;
+  std::vector<Vertex> vertices_;
+  std::vector<int> around_;
+};
+
+}  // namespace
+
+Triangulation remesh(const ImplicitSurface& surface, const Triangulation& mesh, const RemeshOptions& options) {
+  return Remesher(surface, mesh).run(options);
+}
+
+}  // namespace croquis

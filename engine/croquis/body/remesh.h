@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "croquis/body/implicit_surface.h"
+#include "croquis/body/polygonize.h"
+
+namespace croquis {
+
+struct RemeshOptions {
+  int rounds = 5;        ///< of splitting, collapsing, flipping, relaxing
+  int final_rounds = 3;  ///< of flipping and relaxing only
+};
+
+/// Makes the triangles of a surface's mesh near equilateral, with edges of the length that the surface asks for (its
+/// `detail`), every vertex on the surface. A rim in the plane x = 0 stays in that plane.
+[[nodiscard]] Triangulation remesh(const ImplicitSurface& surface, const Triangulation& mesh,
+                                   const RemeshOptions& options = {});
+
+}  // namespace croquis
