@@ -3,12 +3,13 @@
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 FUZZ_SECONDS ?= 600
 
-.PHONY: help demo build test bench fuzz format clean
+.PHONY: help demo build test bench bench-lines fuzz format clean
 help:
 	@echo 'make demo     build the program; pose the mannequin along a drawn line: out/demo.glb and out/demo.png'
 	@echo 'make build    build the program: build/release/croquis'
 	@echo 'make test     build and run every test: native, with sanitizers, as WebAssembly, lint, format, fuzz'
 	@echo 'make bench    build and run the benchmarks'
+	@echo 'make bench-lines  how near the methods of posing come to poses of real people'
 	@echo 'make fuzz     fuzz each reader for FUZZ_SECONDS=$(FUZZ_SECONDS) seconds'
 	@echo 'make format   lay out every source as .clang-format says'
 	@echo 'make clean    remove build/ and out/'
@@ -33,6 +34,14 @@ bench:
 	cmake --preset release -DCROQUIS_TESTS=OFF -DCROQUIS_BENCHMARKS=ON
 	cmake --build build/release --target benchmarks -j $(JOBS)
 	cmake --build build/release --target run_benchmarks
+
+# The lines-of-action benchmark over the clips of CLIPS (BVH files of people).
+CLIPS ?= ../shared/data/bvh
+bench-lines:
+	@tools/setup.sh program bench
+	@cmake --preset release -DCROQUIS_TESTS=OFF -DCROQUIS_BENCHMARKS=ON
+	@cmake --build build/release --target loa_bench -j $(JOBS)
+	build/release/benchmarks/loa_bench --clips $(CLIPS) --poses 136 --views 2 --json build/bench-lines.json
 
 fuzz:
 	@tools/setup.sh fuzz

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: MIT
+#include "croquis/posing/line_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/SVD>
+
+#include "croquis/base/error.h"
+#include "croquis/base/text.h"
+
+namespace croquis {
+namespace {
+
+/// How hard it is to turn a joint of each role: across its bone, and about it.
+struct Stiffness {
+  double swing, twist;
+};
+Stiffness stiffness_of(JointRole role) {
+  switch (role) {
+    case JointRole::root:
+      return {0.5, 1.0};
+    case JointRole::spine:
+      return {1.5, 2.0};
+    case JointRole::collar:
+      return {2.5, 3.0};
+    case JointRole::ball:
+      return {0.6, 1.0};
+    case JointRole::hinge:
+      return {0.6, 1.5};
+    case JointRole::end:
+      return {1.0, 2.0};
+    case JointRole::plain:
+      return {1.0, 2.0};
+  }
+  return {1.0, 1.0};
+}
+
+/// The orthogonal matrix (perhaps a mirroring) nearest to m; `even` turns false if m is far from a multiple of it.
+Mat3 orthogonal_part(const Mat3& m, bool& even) {
+  const Eigen::JacobiSVD<Mat3> svd(m, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Vec3 s = svd.singularValues();
+  if (!(s.x() - s.z() <= 1e-9 * s.x())) even = false;
+  return svd.matrixU() * svd.matrixV().transpose();
+}
+
+void check_inputs(const Skeleton& skeleton, const Pose& start, const std::vector<LineInput>& inputs) {
+  if (inputs.empty()) throw_invalid_argument("line solver: got no line, wanted at least one");
+  if (std::ssize(start.local) != skeleton.joint_count()) {
+    throw_invalid_argument("line solver: the skeleton has " + std::to_string(skeleton.joint_count()) +
+                           " joints, the start pose " + std::to_string(start.local.size()));
+  }
+  for (std::size_t i = 0; i < start.local.size(); ++i) {
+    if (!start.local[i].is_finite()) {
+      throw_invalid_argument("line solver: the start pose is not finite at joint " +
+                             printable(skeleton.reference(static_cast<int>(i))));
+    }
+  }
+  for (const LineInput& input : inputs) {
+    (void)segments_of_line(skeleton, input.line);  // throws unless it is a path
+    if (!input.importance.empty() && input.importance.size() != input.line.joints.size()) {
+      throw_invalid_argument("line solver: line \"" + printable(input.line.name) + "\" has " +
+                             std::to_string(input.line.joints.size()) + " joints, but importance for " +
+                             std::to_string(input.importance.size()));
+    }
+    for (const double weight : input.importance) {
+      if (!(weight >= 0.0 && std::isfinite(weight))) {
+        throw_invalid_argument("line solver: importance is " + format_double(weight) + ", wanted 0 or more");
+      }
+    }
+  }
+}
+
+}  // namespace
+
+LineScene::LineScene(const Skeleton& skeleton, const HumanoidMap& humanoid, const Pose& start,
+                     const std::vector<LineInput>& inputs, const Camera& camera, const LineSolverOptions& options)
+    : skeleton_(skeleton), start_(start), length_(options.length) {
+  check_inputs(skeleton, start, inputs);
+  camera.check();
+  roles_ = compute_joint_roles(skeleton, humanoid);
+  body_root_ = find_body_root(skeleton, humanoid);
+  model_ = compute_model_transforms(skeleton, start);
+  view_ = camera.view_from_world();
+
+  Vec3 centre = Vec3::Zero();
+  double longest = 0.0, joints = 0.0;
+  for (const LineInput& input : inputs) {
+    double length = 0.0;
+    for (std::size_t k = 0; k < input.line.joints.size(); ++k) {
+      const Vec3 x = model_[static_cast<std::size_t>(input.line.joints[k])].translation();
+      if (k > 0) length += (x - model_[static_cast<std::size_t>(input.line.joints[k - 1])].translation()).norm();
+      centre += x;
+      joints += 1.0;
+    }
+    longest = std::max(longest, length);
+  }
+  centre /= joints;
+  if (!(longest > 1e-9 * skeleton.extent()) || !std::isfinite(longest)) {
+    throw_invalid_argument("line solver: the bones of line \"" + printable(inputs.front().line.name) +
+                           "\" have no length");
+  }
+  unit_ = longest;
+  problem.perspective = camera.projection == Camera::Projection::perspective;
+  if (problem.perspective) {
+    const double depth = -(view_ * centre).z();
+    if (!(depth > 1e-3 * longest)) throw_invalid_argument("line solver: the line lies behind the camera");
+    problem.distance = depth / unit_;
+  }
+  const double per_pixel = camera.units_per_pixel(centre) / unit_;
+  pixel_scale_ = Vec2(per_pixel, -per_pixel);
+  pixel_offset_ = Vec2(-0.5 * camera.width_px, -0.5 * camera.height_px).cwiseProduct(pixel_scale_);
+  problem.weights = options.weights;
+  add_nodes(inputs, options);
+  for (const LineInput& input : inputs) add_path(input);
+  problem.finish();
+}
+
+void LineScene::add_nodes(const std::vector<LineInput>& inputs, const LineSolverOptions& options) {
+  std::vector<bool> wanted(static_cast<std::size_t>(skeleton_.joint_count()), false), turns = wanted;
+  for (const LineInput& input : inputs) {
+    const std::vector<int>& joints = input.line.joints;
+    const auto top = std::min_element(joints.begin(), joints.end());
+    const bool holds_root =
+        std::find(joints.begin(), joints.end(), body_root_) != joints.end() || skeleton_.is_ancestor(*top, body_root_);
+    problem.moves = problem.moves || (options.free_root && (holds_root || options.move_body));
+    // The joints that bend the line: all that have a joint of the line below them on it.
+    for (auto joint = joints.begin(); joint != joints.end(); ++joint) {
+      if (joint == top || (joint < top ? joint != joints.begin() : joint + 1 != joints.end())) {
+        turns[static_cast<std::size_t>(*joint)] = true;
+      }
+    }
+    for (int joint = *top; joint >= 0; joint = skeleton_.parent(joint)) {
+      wanted[static_cast<std::size_t>(joint)] = true;
+      if (options.move_body && skeleton_.is_ancestor(body_root_, joint)) turns[static_cast<std::size_t>(joint)] = true;
+    }
+    for (const int joint : joints) wanted[static_cast<std::size_t>(joint)] = true;
+  }
+  if (!options.free_root) turns[static_cast<std::size_t>(body_root_)] = false;
+
+  node_of_.assign(wanted.size(), -1);
+  for (int joint = 0; joint < skeleton_.joint_count(); ++joint) {
+    const auto at = static_cast<std::size_t>(joint);
+    if (!wanted[at]) continue;
+    LineNode node;
+    node.joint = joint;
+    node.parent = joint == 0 ? -1 : node_of_[static_cast<std::size_t>(skeleton_.parent(joint))];
+    node.start = view_ * Vec3(model_[at].translation()) / unit_;
+    node.offset =
+        node.parent < 0 ? Vec3::Zero() : Vec3(node.start - problem.nodes[static_cast<std::size_t>(node.parent)].start);
+    node.column = turns[at] ? 0 : -1;
+    Mat3 above = view_.linear();
+    if (joint > 0) above = above * model_[static_cast<std::size_t>(skeleton_.parent(joint))].linear();
+    bool even = true;
+    above_.push_back(orthogonal_part(above, even));
+    if (turns[at] && !even) scales_evenly_ = false;
+    const Stiffness stiffness = stiffness_of(roles_[at]);
+    node.stiffness = stiffness.swing * Mat3::Identity();
+    node_of_[at] = static_cast<int>(problem.nodes.size());
+    problem.nodes.push_back(node);
+  }
+}
+
+void LineScene::add_path(const LineInput& input) {
+  LinePath path;
+  for (const int joint : input.line.joints) path.nodes.push_back(node_of(joint));
+  for (std::size_t k = 1; k < path.nodes.size(); ++k) {
+    const Vec3 bone = problem.nodes[static_cast<std::size_t>(path.nodes[k])].start -
+                      problem.nodes[static_cast<std::size_t>(path.nodes[k - 1])].start;
+    path.bones.push_back(bone.norm());
+    path.start_depth.push_back(bone.z());
+  }
+  path.importance = input.importance;
+  if (path.importance.empty()) path.importance.assign(path.nodes.size(), 1.0);
+  set_stiffness(path);
+  add_shares(path);
+  problem.paths.push_back(std::move(path));
+  set_stroke(problem.paths.size() - 1, input.stroke, false);
+}
+
+/// Twist about the bone that a joint moves costs more than swing.
+void LineScene::set_stiffness(const LinePath& path) {
+  for (std::size_t k = 0; k < path.nodes.size(); ++k) {
+    LineNode& node = problem.nodes[static_cast<std::size_t>(path.nodes[k])];
+    if (node.column < 0) continue;
+    Vec3 along = Vec3::Zero();
+    for (const std::size_t other : {k - 1, k + 1}) {
+      if (other >= path.nodes.size()) continue;
+      const LineNode& next = problem.nodes[static_cast<std::size_t>(path.nodes[other])];
+      if (next.parent == path.nodes[k]) along = next.start - node.start - along;
+    }
+    const double length = along.norm();
+    const Stiffness stiffness = stiffness_of(roles_[static_cast<std::size_t>(node.joint)]);
+    if (length > 1e-9) {
+      const Vec3 axis = along / length;
+      node.stiffness =
+          stiffness.swing * Mat3::Identity() + (stiffness.twist - stiffness.swing) * axis * axis.transpose();
+    }
+  }
+}
+
+void LineScene::add_shares(const LinePath& path) {
+  const auto shares = [&](std::size_t k) {
+    const LineNode& node = problem.nodes[static_cast<std::size_t>(path.nodes[k])];
+    const JointRole role = roles_[static_cast<std::size_t>(node.joint)];
+    return node.column >= 0 && (role == JointRole::spine || role == JointRole::plain);
+  };
+  const auto span = [&](std::size_t k) {
+    const double before = k > 0 ? path.bones[k - 1] : path.bones[k],
+                 after = k < path.bones.size() ? path.bones[k] : before;
+    return std::max(0.5 * (before + after), 1e-3);
+  };
+  for (std::size_t k = 0; k + 1 < path.nodes.size(); ++k) {
+    if (!shares(k) || !shares(k + 1)) continue;
+    SharedBend share{path.nodes[k], path.nodes[k + 1], span(k), span(k + 1)};
+    const double mean = 0.5 * (share.length_a + share.length_b);
+    share.length_a /= mean;
+    share.length_b /= mean;
+    problem.shares.push_back(share);
+  }
+}
+
+void LineScene::set_stroke(std::size_t index, const Polyline2& stroke, bool reversed) {
+  LinePath& path = problem.paths[index];
+  if (reversed) {
+    reversed_.assign(stroke.points().rbegin(), stroke.points().rend());
+    path.curve.assign(reversed_, pixel_scale_, pixel_offset_);
+  } else {
+    path.curve.assign(stroke.points(), pixel_scale_, pixel_offset_);
+  }
+  double reach = 0.0;
+  for (const double bone : path.bones) reach += bone;
+  constexpr double kSlack = 1.02;  // a hand is not exact: a little too long is not shrunk
+  const double factor = reach / path.curve.length();
+  if (length_ == LengthPolicy::scale || factor * kSlack < 1.0) {
+    // The anchor is the stroke's point nearest to the line's topmost joint, parents having the smaller index.
+    const int top = *std::min_element(path.nodes.begin(), path.nodes.end());
+    const Vec2 there = problem.project(problem.nodes[static_cast<std::size_t>(top)].start);
+    const Vec2 anchor = path.curve.at(path.curve.nearest(there));
+    path.curve.scale_about(anchor, length_ == LengthPolicy::scale ? factor : factor * kSlack);
+  }
+}
+
+void LineScene::write_pose(const LineState& state, Pose& pose) const {
+  pose = start_;
+  for (std::size_t i = 0; i < problem.nodes.size(); ++i) {
+    const LineNode& node = problem.nodes[i];
+    if (node.column < 0) continue;
+    // World turns become local ones: R' = Q' E Q R, Q the orthogonal part of what is above the joint.
+    const Mat3 turn = above_[i].transpose() * state.turn[i].toRotationMatrix() * above_[i];
+    Quat& local = pose.local[static_cast<std::size_t>(node.joint)].rotation;
+    local = (Quat(turn) * local).normalized();
+  }
+  if (problem.moves) pose.local[0].translation += view_.linear().transpose() * (unit_ * state.shift);
+}
+
+}  // namespace croquis

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "croquis/posing/joint_roles.h"
+#include "croquis/posing/line_problem.h"
+#include "croquis/posing/line_solver.h"
+
+namespace croquis {
+
+/// A LineProblem with the way back to the skeleton that it came from.
+class LineScene {
+ public:
+  /// Every stroke is taken to start at its line's first joint. Throws as solve_lines does.
+  LineScene(const Skeleton& skeleton, const HumanoidMap& humanoid, const Pose& start,
+            const std::vector<LineInput>& inputs, const Camera& camera, const LineSolverOptions& options);
+
+  LineProblem problem;
+
+  /// Gives a path another stroke (pixels); reversed: the stroke starts at the line's last joint.
+  void set_stroke(std::size_t path, const Polyline2& stroke, bool reversed);
+  /// The start pose turned and moved as the state says.
+  void write_pose(const LineState& state, Pose& pose) const;
+  /// Scene units per problem unit.
+  [[nodiscard]] double unit() const { return unit_; }
+  [[nodiscard]] int node_of(int joint) const { return node_of_[static_cast<std::size_t>(joint)]; }
+  /// Every joint that turns lies under ancestors that scale evenly: lengths are kept.
+  [[nodiscard]] bool scales_evenly() const { return scales_evenly_; }
+
+ private:
+  void add_nodes(const std::vector<LineInput>& inputs, const LineSolverOptions& options);
+  void add_path(const LineInput& input);
+  void set_stiffness(const LinePath& path);
+  void add_shares(const LinePath& path);
+
+  const Skeleton& skeleton_;
+  const Pose& start_;
+  std::vector<JointRole> roles_;
+  std::vector<Affine> model_;  ///< of the start pose
+  std::vector<Mat3> above_;    ///< per node: orthogonal part of what is above the joint, in view axes
+  std::vector<int> node_of_;   ///< per joint, -1: not in the problem
+  int body_root_ = 0;
+  Affine view_ = Affine::Identity();
+  double unit_ = 1.0;
+  Vec2 pixel_scale_ = Vec2::Ones(), pixel_offset_ = Vec2::Zero();
+  LengthPolicy length_ = LengthPolicy::fit;
+  bool scales_evenly_ = true;
+  std::vector<Vec2> reversed_;  ///< scratch
+};
+
+}  // namespace croquis

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "croquis/posing/redraw.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "croquis/math/rotation.h"
+
+namespace croquis {
+namespace {
+
+/// Root mean square distance of a stroke from the path's own line, points at equal parts of the lengths.
+double distance_from_own(const LineProblem& problem, const LinePath& path) {
+  std::vector<Vec2> joints;
+  for (const int node : path.nodes)
+    joints.push_back(problem.project(problem.nodes[static_cast<std::size_t>(node)].start));
+  const Polyline2 own(std::move(joints));
+  if (!(own.length() > 0.0)) return 1.0;
+  double sum = 0.0;
+  constexpr int kPoints = 129;
+  for (int i = 0; i < kPoints; ++i) {
+    const double part = static_cast<double>(i) / (kPoints - 1);
+    sum += (path.curve.at(part * path.curve.length()) - own.at(part * own.length())).squaredNorm();
+  }
+  return std::sqrt(sum / kPoints);
+}
+
+}  // namespace
+
+double redraw_share(const LineProblem& problem) {
+  constexpr double kSame = 0.0015, kOther = 0.006;
+  double farthest = 0.0;
+  for (const LinePath& path : problem.paths) farthest = std::max(farthest, distance_from_own(problem, path));
+  const double t = std::clamp((farthest - kSame) / (kOther - kSame), 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+void take_share(const LineProblem& problem, double share, LineState& state) {
+  if (share >= 1.0) return;
+  state.shift *= share;
+  for (Quat& turn : state.turn) turn = rotation_from_vector(share * rotation_to_vector(turn));
+  problem.update(state);
+}
+
+}  // namespace croquis

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+#include "croquis/posing/line_solver.h"
+
+#include "support/test_rigs.h"
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "croquis/base/error.h"
+#include "croquis/math/rotation.h"
+
+namespace croquis {
+namespace {
+
+std::vector<Vec2> project_line(const Skeleton& skeleton, const Pose& pose, const BodyLine& line, const Camera& camera) {
+  const std::vector<Vec3> x = compute_positions(skeleton, pose);
+  std::vector<Vec2> pixels;
+  for (const int joint : line.joints) pixels.push_back(*camera.project(x[static_cast<std::size_t>(joint)]));
+  return pixels;
+}
+
+/// A C about the middle of the picture, opening to the right, `size` pixels across.
+Polyline2 c_curve(double size, int count = 96) {
+  std::vector<Vec2> points;
+  for (int i = 0; i <= 200; ++i) {
+    const double angle = kPi * (0.5 + i / 200.0);
+    points.emplace_back(512 + size * std::cos(angle), 512 + size * std::sin(angle));
+  }
+  return Polyline2(Polyline2(points).resampled(count));
+}
+
+double largest_turn(const Pose& a, const Pose& b) {
+  double most = 0.0;
+  for (std::size_t i = 0; i < a.local.size(); ++i) {
+    most = std::max(most, a.local[i].rotation.angularDistance(b.local[i].rotation));
+  }
+  return most;
+}
+
+BodyLine foot_to_head(const Skeleton& skeleton) {
+  return {"", skeleton.path(skeleton.resolve("leftFoot"), skeleton.resolve("head"))};
+}
+
+TEST(LineSolver, AChainTakesTheShapeOfTheStroke) {
+  const Skeleton skeleton = make_chain(17, 0.08, 3);
+  const BodyLine line{"", skeleton.path(0, 16)};
+  const Camera camera;
+  const LineSolverResult result = solve_lines(skeleton, {}, rest_pose(skeleton), {{line, c_curve(200)}}, camera);
+  EXPECT_EQ(result.report.status, "ok");
+  EXPECT_LT(result.fits[0].mean_px, 3.0);
+  EXPECT_LT(result.fits[0].tangent_deg, 3.0);
+  EXPECT_LT(result.bone_length_drift, 1e-9);
+}
+
+TEST(LineSolver, BoneLengthsKeepAndNumbersStayFiniteOnAnyBody) {
+  Random random(23);
+  for (int round = 0; round < 12; ++round) {
+    const std::uint64_t seed = random.bits() | 1U;
+    const Skeleton skeleton = round % 3 == 0   ? make_test_humanoid(seed)
+                              : round % 3 == 1 ? make_test_quadruped(seed)
+                                               : make_chain(60, 0.03, seed);
+    const Pose start = random_pose(skeleton, random, 0.3);
+    const int from = random.index(skeleton.joint_count()), to = random.index(skeleton.joint_count());
+    if (skeleton.path(from, to).size() < 3) continue;
+    std::vector<Vec2> points;
+    for (int i = 0; i < 4; ++i) points.emplace_back(random.uniform(100, 900), random.uniform(100, 900));
+    Camera camera;
+    camera.projection = round % 2 == 0 ? Camera::Projection::orthographic : Camera::Projection::perspective;
+    const LineInput input{{"", skeleton.path(from, to)}, Polyline2(Polyline2(points).resampled(96))};
+    const LineSolverResult result = solve_lines(skeleton, {}, start, {input}, camera);
+    EXPECT_LT(result.bone_length_drift, 1e-9);
+    for (const Transform& local : result.pose.local) ASSERT_TRUE(local.is_finite());
+    // Joints off the line keep their rotations.
+    for (int i = 0; i < skeleton.joint_count(); ++i) {
+      if (std::count(input.line.joints.begin(), input.line.joints.end(), i) > 0) continue;
+      EXPECT_LT(result.pose.local[static_cast<std::size_t>(i)].rotation.angularDistance(
+                    start.local[static_cast<std::size_t>(i)].rotation),
+                1e-12);
+    }
+  }
+}
+
+TEST(LineSolver, TheLineThatThePoseHasChangesNothing) {
+  Random random(31);
+  for (int round = 0; round < 6; ++round) {
+    const Skeleton skeleton = make_test_humanoid(round + 1);
+    const Pose start = random_pose(skeleton, random, 0.25);
+    const BodyLine line = foot_to_head(skeleton);
+    Camera camera;
+    if (round % 2 == 1) camera.projection = Camera::Projection::perspective;
+    const Polyline2 stroke(project_line(skeleton, start, line, camera));
+    const LineSolverResult result = solve_lines(skeleton, {}, start, {{line, stroke}}, camera);
+    EXPECT_LT(largest_turn(result.pose, start) / kDegree, 0.1) << round;
+  }
+}
+
+TEST(LineSolver, AMirroredBodyAndStrokeGiveTheMirroredPose) {
+  const Skeleton skeleton = make_test_humanoid();
+  const BodyLine left{"", skeleton.path(skeleton.resolve("leftFoot"), skeleton.resolve("rightHand"))};
+  const BodyLine right{"", skeleton.path(skeleton.resolve("rightFoot"), skeleton.resolve("leftHand"))};
+  const Camera camera;
+  std::vector<Vec2> mirrored;
+  const Polyline2 drawn = c_curve(220);
+  for (const Vec2& p : drawn.points()) mirrored.emplace_back(1024 - p.x(), p.y());
+  const auto a =
+      compute_positions(skeleton, solve_lines(skeleton, {}, rest_pose(skeleton), {{left, c_curve(220)}}, camera).pose);
+  const auto b = compute_positions(
+      skeleton, solve_lines(skeleton, {}, rest_pose(skeleton), {{right, Polyline2(mirrored)}}, camera).pose);
+  for (std::size_t i = 0; i < left.joints.size(); ++i) {
+    const Vec3 p = a[static_cast<std::size_t>(left.joints[i])], q = b[static_cast<std::size_t>(right.joints[i])];
+    EXPECT_LT((p - Vec3(-q.x(), q.y(), q.z())).norm(), 1e-5);
+  }
+}
+
+TEST(LineSolver, MovingCameraAndSceneTogetherChangesNothing) {
+  const Skeleton skeleton = make_test_humanoid(12);
+  const Quat turn(Eigen::AngleAxisd(2.1, Vec3::UnitY()));
+  const Vec3 shift(3, 0, -2);
+  for (const auto projection : {Camera::Projection::orthographic, Camera::Projection::perspective}) {
+    Camera camera;
+    camera.projection = projection;
+    Pose start = rest_pose(skeleton);
+    const LineInput input{foot_to_head(skeleton), c_curve(230)};
+    const Pose here = solve_lines(skeleton, {}, start, {input}, camera).pose;
+    start.local[0].rotation = turn * start.local[0].rotation;
+    start.local[0].translation = turn * start.local[0].translation + shift;
+    camera.position = turn * camera.position + shift;
+    camera.target = turn * camera.target + shift;
+    Pose there = solve_lines(skeleton, {}, start, {input}, camera).pose;
+    there.local[0].rotation = turn.conjugate() * there.local[0].rotation;
+    EXPECT_LT(largest_turn(here, there), 1e-5);
+  }
+}
+
+TEST(LineSolver, ResamplingTheStrokeChangesNextToNothing) {
+  const Skeleton skeleton = make_test_humanoid(4);
+  const Camera camera;
+  const Pose start = rest_pose(skeleton);
+  const auto solved = [&](int count) {
+    return solve_lines(skeleton, {}, start, {{foot_to_head(skeleton), c_curve(230, count)}}, camera).pose;
+  };
+  const Pose usual = solved(96);
+  EXPECT_LT(largest_turn(usual, solved(48)) / kDegree, 0.5);
+  EXPECT_LT(largest_turn(usual, solved(384)) / kDegree, 0.5);
+}
+
+TEST(LineSolver, TheSameInputGivesTheSameOutput) {
+  const Skeleton skeleton = make_test_humanoid(4);
+  const LineInput input{foot_to_head(skeleton), c_curve(230)};
+  const Pose a = solve_lines(skeleton, {}, rest_pose(skeleton), {input}, Camera{}).pose;
+  const Pose b = solve_lines(skeleton, {}, rest_pose(skeleton), {input}, Camera{}).pose;
+  EXPECT_EQ(largest_turn(a, b), 0.0);
+}
+
+TEST(LineSolver, TheDirectionIsFound) {
+  const Skeleton skeleton = make_test_humanoid(4);
+  const Camera camera;
+  std::vector<Vec2> points = project_line(skeleton, rest_pose(skeleton), foot_to_head(skeleton), camera);
+  for (Vec2& p : points) p.x() += 0.15 * (p.y() - 500);
+  const LineSolverResult up =
+      solve_lines(skeleton, {}, rest_pose(skeleton), {{foot_to_head(skeleton), Polyline2(points)}}, camera);
+  std::reverse(points.begin(), points.end());
+  const LineSolverResult down =
+      solve_lines(skeleton, {}, rest_pose(skeleton), {{foot_to_head(skeleton), Polyline2(points)}}, camera);
+  EXPECT_TRUE(up.forward[0]);
+  EXPECT_FALSE(down.forward[0]);
+  EXPECT_LT(largest_turn(up.pose, down.pose), 1e-6);
+}
+
+TEST(LineSolver, AShortStrokeForeshortens) {
+  const Skeleton skeleton = make_chain(3, 0.4, 9);  // two bones, 0.8 long, flat in the picture
+  const LineInput input{{"", {0, 1, 2}},
+                        Polyline2(Polyline2({Vec2(512, 900), Vec2(512, 700)}).resampled(50)),
+                        LineInput::Direction::forward};
+  const LineSolverResult result = solve_lines(skeleton, {}, rest_pose(skeleton), {input}, Camera{});
+  EXPECT_LT(result.fits[0].mean_px, 4.0);
+  const std::vector<Vec2> joints = project_line(skeleton, result.pose, input.line, Camera{});
+  EXPECT_NEAR((joints[2] - joints[0]).norm(), 200.0, 10.0);  // of 409 pixels
+}
+
+TEST(LineSolver, UnevenScaleIsReported) {
+  std::vector<Joint> joints = make_chain(6, 0.2, 5).joints();
+  joints[0].rest.scale = Vec3(1, 2, 1);
+  const Skeleton skeleton(joints);
+  const LineInput input{{"", skeleton.path(0, 5)}, c_curve(200)};
+  const LineSolverResult result = solve_lines(skeleton, {}, rest_pose(skeleton), {input}, Camera{});
+  EXPECT_NE(result.report.status.find("unevenly"), std::string::npos);
+}
+
+TEST(LineSolver, MirroredAndScaledBodiesKeepTheirLengths) {
+  std::vector<Joint> joints = make_chain(9, 0.2, 5).joints();
+  joints[0].rest.scale = Vec3(-0.5, 0.5, 0.5);
+  joints[3].rest.scale = Vec3(2, 2, 2);
+  const Skeleton skeleton(joints);
+  const LineInput input{{"", skeleton.path(0, 8)}, c_curve(200)};
+  const LineSolverResult result = solve_lines(skeleton, {}, rest_pose(skeleton), {input}, Camera{});
+  EXPECT_EQ(result.report.status, "ok");
+  EXPECT_LT(result.bone_length_drift, 1e-9);
+  EXPECT_LT(result.fits[0].mean_px, 10.0);
+}
+
+TEST(LineSolver, BadInputIsRefusedOrSurvived) {
+  const Skeleton skeleton = make_test_humanoid(1);
+  const Pose start = rest_pose(skeleton);
+  const Camera camera;
+  EXPECT_THROW((void)solve_lines(skeleton, {}, start, {}, camera), Error);
+  EXPECT_THROW((void)solve_lines(skeleton, {}, start, {{{"", {0, 3}}, c_curve(200)}}, camera), Error);
+  EXPECT_THROW((void)solve_lines(skeleton, {}, start, {{foot_to_head(skeleton), Polyline2({Vec2(5, 5)})}}, camera),
+               Error);
+  const Skeleton point = make_chain(5, 0.0);
+  EXPECT_THROW((void)solve_lines(point, {}, rest_pose(point), {{{"", point.path(0, 4)}, c_curve(200)}}, camera), Error);
+  Pose broken = start;
+  broken.local[2].rotation.x() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW((void)solve_lines(skeleton, {}, broken, {{foot_to_head(skeleton), c_curve(200)}}, camera), Error);
+  Camera behind;
+  behind.projection = Camera::Projection::perspective;
+  behind.position = Vec3(0, 1, -5);
+  behind.target = Vec3(0, 1, -9);
+  EXPECT_THROW((void)solve_lines(skeleton, {}, start, {{foot_to_head(skeleton), c_curve(200)}}, behind), Error);
+
+  // A loop, a figure of eight, a tiny stroke, a huge one, a zigzag: finite poses, lengths kept.
+  std::vector<std::vector<Vec2>> odd(5);
+  for (int i = 0; i <= 100; ++i) {
+    const double t = 2.0 * kPi * i / 100.0;
+    odd[0].emplace_back(512 + 200 * std::cos(t), 512 + 200 * std::sin(t));
+    odd[1].emplace_back(512 + 200 * std::sin(t), 512 + 200 * std::sin(2 * t));
+    odd[2].emplace_back(512 + 1e-3 * i, 512);
+    odd[3].emplace_back(30.0 * i, 900);
+    odd[4].emplace_back(400 + 3 * i, i % 2 == 0 ? 300 : 700);
+  }
+  for (const auto& points : odd) {
+    for (const auto projection : {Camera::Projection::orthographic, Camera::Projection::perspective}) {
+      Camera view;
+      view.projection = projection;
+      const LineSolverResult result =
+          solve_lines(skeleton, {}, start, {{foot_to_head(skeleton), Polyline2(points)}}, view);
+      EXPECT_LT(result.bone_length_drift, 1e-9);
+      for (const Transform& local : result.pose.local) ASSERT_TRUE(local.is_finite());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace croquis
