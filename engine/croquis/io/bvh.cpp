@@ -80,19 +80,18 @@ std::string stem(std::string_view file_name) {
   return std::string(base.substr(0, base.rfind('.')));
 }
 
-/// A BVH states no unit; the height of a grown human tells which one was meant.
+/// A BVH states no unit; the size of a grown human (height, or span of the arms) tells which one was meant.
 std::string unit_remark(const Character& character) {
   if (!character.humanoid.is_humanoid()) return {};
   Box box;
   for (int i = 0; i < character.skeleton.joint_count(); ++i) box.extend(character.skeleton.rest_position(i));
-  const double height = box.sizes().y();
-  const char* const unit = height >= 1.2 && height < 2.5   ? ""
-                           : height >= 120 && height < 250 ? "centimetres"
-                           : height >= 45 && height < 100  ? "inches"
-                                                           : "a unit of its own";
+  const double size = box.sizes().maxCoeff();
+  const char* const unit = size >= 1.2 && size < 2.5   ? ""
+                           : size >= 120 && size < 250 ? "centimetres"
+                           : size >= 45 && size < 100  ? "inches"
+                                                       : "a unit of its own";
   if (*unit == '\0') return {};
-  return "a BVH states no unit; a height of " + format_double(height, 4) + " looks like " + unit +
-         " (lengths are kept)";
+  return "a BVH states no unit; a size of " + format_double(size, 4) + " looks like " + unit + " (lengths are kept)";
 }
 
 }  // namespace
@@ -119,6 +118,7 @@ Character read_bvh(std::span<const std::byte> bytes, std::string_view file_name)
     Clip clip = make_clip(text, frame_time, name);
     if (!clip.curves.empty()) character.clips.push_back(std::move(clip));
   }
+  character.humanoid = recognise_humanoid(skeleton);
   std::vector<Vec3> positions;
   for (int i = 0; i < skeleton.joint_count(); ++i) positions.push_back(skeleton.rest_position(i));
   character.front = compute_facing(character.humanoid, positions);
