@@ -7,7 +7,9 @@
 #include "croquis/io/file_name.h"
 #include "croquis/io/glb_container.h"
 #include "croquis/io/gltf_read.h"
+#include "croquis/io/gltf_write.h"
 #include "croquis/io/obj.h"
+#include "croquis/io/vrm_write.h"
 
 namespace croquis {
 namespace {
@@ -39,6 +41,27 @@ Character read_character(std::span<const std::byte> bytes, std::string_view file
   throw Error(ErrorCode::unsupported,
               "'" + printable(file_name) +
                   "' is of no kind that is read: wanted .glb, .gltf, .vrm, .vrma, .bvh, .obj or .croquis");
+}
+
+WrittenFile write_character(const Character& character, const Pose& pose, std::string_view format,
+                            std::string_view file_name, const WriteOptions& options) {
+  if (std::ssize(pose.local) != character.skeleton.joint_count()) {
+    throw_invalid_argument("write_character: the pose has " + std::to_string(pose.local.size()) +
+                           " joints, the skeleton " + std::to_string(character.skeleton.joint_count()));
+  }
+  for (const Transform& local : pose.local) {
+    if (!local.is_finite()) throw_invalid_argument("write_character: the pose holds a number that is not finite");
+  }
+  const std::string source = character.source != nullptr ? character.source->format : std::string();
+  const bool from_gltf = source == "glb" || source == "gltf" || source == "vrm" || source == "vrma";
+  if (format == "bvh") return {write_bvh(character, pose, options), {}};
+  if (format == "vrma" && source != "vrma") return write_vrma(character, pose);
+  if (format == "glb" || format == "gltf" || format == "vrm" || format == "vrma") {
+    return from_gltf ? write_gltf_source(character, pose, format, file_name, options)
+                     : write_new_gltf(character, pose, format, file_name, options);
+  }
+  throw Error(ErrorCode::unsupported,
+              "'" + printable(format) + "' is no format that is written: wanted glb, gltf, vrm, vrma or bvh");
 }
 
 }  // namespace croquis

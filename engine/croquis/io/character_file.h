@@ -30,9 +30,20 @@ enum class PoseForm {
   baked,  ///< the mesh itself is bent; skins go, joints stay at rest
 };
 
+/// A part as PoseForm::baked writes it: the vertices of the posed part in model space, in its order.
+struct BakedPart {
+  std::vector<Vec3f> positions;
+  std::vector<Vec3f> normals;      ///< empty if the mesh has none
+  std::vector<Vec4f> tangents;     ///< empty if the mesh has none
+  std::vector<BlendShape> shapes;  ///< posed too; empty: the file's own stay as they are
+};
+
 struct WriteOptions {
   PoseForm form = PoseForm::pose;
   bool add_positions = false;  ///< BVH: give position channels to joints whose bones were stretched
+  /// For PoseForm::baked, one per part (this room does no skinning: skinning/ gives them). Shapes are baked in at their
+  /// present weights, which become 0.
+  std::vector<BakedPart> baked;
 };
 
 /// A written file, and the files beside it that it refers to (a .gltf's buffers and images), by URI.
@@ -41,8 +52,11 @@ struct WrittenFile {
   std::map<std::string, Bytes> companions;
 };
 
-/// The character in `pose` as `format` ("glb", "gltf", "vrm", "bvh"). A file that was read keeps all that was not
-/// changed. `file_name` names companions. Throws Error{unsupported} for what the format cannot hold.
+/// The character in `pose` as `format` ("glb", "gltf", "vrm", "vrma", "bvh"). A file that was read keeps all that was
+/// not changed: JSON members, node indices and names, buffers; what is new is appended. Another container embeds (glb)
+/// or splits off (gltf) buffers and images. Clips beyond those of the source are added. "vrma" holds the pose, or the
+/// clips if the pose is the start. `file_name` names companions. Throws Error{unsupported} for what the format cannot
+/// hold.
 [[nodiscard]] WrittenFile write_character(const Character& character, const Pose& pose, std::string_view format,
                                           std::string_view file_name, const WriteOptions& options = {});
 

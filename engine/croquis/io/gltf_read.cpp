@@ -104,7 +104,7 @@ Character read_opened(GltfDocument document, std::string_view file_name) {
   character.start = rest_pose(character.skeleton);
   character.parts = read_parts(document, nodes, choice, oddities);
   character.clips = read_clips(document, choice, places, oddities);
-  character.humanoid = vrm.bones.empty() ? HumanoidMap{} : make_humanoid(vrm, choice);
+  character.humanoid = vrm.bones.empty() ? recognise_humanoid(character.skeleton) : make_humanoid(vrm, choice);
   character.front = find_front(character, vrm.kind);
   character.licence = vrm.licence;
   character.source_nodes = choice.node_of_joint;
