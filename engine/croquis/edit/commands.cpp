@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "croquis/edit/commands.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "croquis/base/error.h"
+#include "croquis/base/text.h"
+#include "croquis/edit/line_choice.h"
+#include "croquis/rig/joint_limits.h"
+#include "croquis/sketch/stroke.h"
+
+namespace croquis {
+namespace {
+
+constexpr std::pair<const char*, double Proportions::*> kProportions[] = {
+    {"heads", &Proportions::heads},  {"shoulders", &Proportions::shoulders}, {"hips", &Proportions::hips},
+    {"limbs", &Proportions::limbs},  {"hands", &Proportions::hands},         {"head", &Proportions::head},
+    {"muscle", &Proportions::muscle}};
+
+const Actor& actor_of(const Project& project, int actor) {
+  if (actor < 0 || actor >= std::ssize(project.actors)) {
+    throw_invalid_argument("actor " + std::to_string(actor) + ": the project has " +
+                           std::to_string(project.actors.size()));
+  }
+  return project.actors[static_cast<std::size_t>(actor)];
+}
+
+bool same_view(const Camera& a, const Camera& b) {
+  return a.projection == b.projection && a.position == b.position && a.target == b.target && a.up == b.up &&
+         a.fov_degrees == b.fov_degrees && a.height == b.height && a.width_px == b.width_px &&
+         a.height_px == b.height_px;
+}
+
+struct Solved {
+  Pose pose;
+  std::vector<LineReport> reports;
+};
+
+double milliseconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+}
+
+Solved match_in_turn(const Actor& actor, const std::vector<PlacedStroke>& strokes,
+                     const std::vector<LineChoice>& choices) {
+  Solved solved{actor.pose, {}};
+  for (std::size_t i = 0; i < strokes.size(); ++i) {
+    const MatchOptions options = match_options(strokes[i].settings);
+    const auto begin = std::chrono::steady_clock::now();
+    MatchResult match = match_line(actor.character->skeleton, solved.pose, choices[i].segments,
+                                   clean_stroke(strokes[i].stroke), strokes[i].camera, options);
+    solved.pose = std::move(match.pose);
+    LineReport report;
+    report.status = match.status;
+    report.body_line = choices[i].line.name;
+    report.forward = match.forward;
+    report.fit = match.fit;
+    report.bone_length_drift = match.bone_length_drift;
+    report.solve_ms = milliseconds_since(begin);
+    solved.reports.push_back(std::move(report));
+  }
+  return solved;
+}
+
+Solved solve_together(const Actor& actor, const std::vector<PlacedStroke>& strokes,
+                      const std::vector<LineChoice>& choices) {
+  const Character& character = *actor.character;
+  const LineSolverOptions options = solver_options(strokes.front().settings);
+  const auto begin = std::chrono::steady_clock::now();
+  std::vector<LineInput> inputs;
+  for (std::size_t i = 0; i < strokes.size(); ++i) {
+    if (!is_line_method(strokes[i].settings)) {
+      throw_invalid_argument("strokes of the method line cannot be mixed with strokes of another");
+    }
+    if (!same_view(strokes[i].camera, strokes.front().camera)) {
+      throw_invalid_argument("strokes that are solved together must be drawn in one view");
+    }
+    if (choices[i].line.joints.empty()) {
+      throw_invalid_argument("joints " + printable(choices[i].line.name) + ": the method line wants a path");
+    }
+    inputs.push_back({choices[i].line, clean_stroke(strokes[i].stroke), solver_direction(strokes[i].settings)});
+  }
+  LineSolverResult result =
+      solve_lines(character.skeleton, character.humanoid, actor.pose, inputs, strokes.front().camera, options);
+  const double spent = milliseconds_since(begin);
+  Solved solved{std::move(result.pose), {}};
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    LineReport report;
+    report.status = result.report.status;
+    report.body_line = inputs[i].line.name;
+    report.forward = result.forward[i];
+    report.fit = result.fits[i];
+    report.bone_length_drift = result.bone_length_drift;
+    report.solve_ms = spent;
+    solved.reports.push_back(std::move(report));
+  }
+  return solved;
+}
+
+}  // namespace
+
+Project add_character(const Project& project, std::shared_ptr<const Character> character) {
+  if (!character) throw_invalid_argument("add_character: got no character");
+  Project next = project;
+  Actor actor;
+  actor.pose = character->start;
+  actor.character = std::move(character);
+  actor.id = next.next_id++;
+  next.actors.push_back(std::move(actor));
+  next.check();
+  return next;
+}
+
+Project add_builtin_character(const Project& project, const std::string& name, const Proportions& proportions) {
+  Project next = add_character(project, std::make_shared<const Character>(make_builtin_character(name, proportions)));
+  Actor& actor = next.actors.back();
+  actor.builtin = name;
+  const Proportions designed;
+  for (const auto& [key, member] : kProportions) {
+    if (proportions.*member != designed.*member) actor.proportions[key] = proportions.*member;
+  }
+  return next;
+}
+
+Project set_pose(const Project& project, int actor, Pose pose) {
+  (void)actor_of(project, actor);
+  Project next = project;
+  next.actors[static_cast<std::size_t>(actor)].pose = std::move(pose);
+  next.check();
+  return next;
+}
+
+PosedLines pose_along_lines(const Project& project, const std::vector<PlacedStroke>& strokes) {
+  if (strokes.empty()) throw_invalid_argument("pose_along_lines: got no stroke");
+  const int index = strokes.front().actor;
+  const Actor& actor = actor_of(project, index);
+  const Character& character = *actor.character;
+  std::vector<LineChoice> choices;
+  for (const PlacedStroke& stroke : strokes) {
+    if (stroke.actor != index) throw_invalid_argument("pose_along_lines: the strokes are of several actors");
+    stroke.camera.check();
+    check_stroke(stroke.stroke, stroke.camera);
+    choices.push_back(choose_line(character, stroke.settings));
+  }
+  Solved solved = is_line_method(strokes.front().settings) ? solve_together(actor, strokes, choices)
+                                                           : match_in_turn(actor, strokes, choices);
+  const std::vector<int> violations = find_limit_violations(
+      make_joint_limits(character.skeleton, character.humanoid, LimitPreset::anatomical), solved.pose);
+  for (LineReport& report : solved.reports) report.limit_violations = violations;
+
+  PosedLines result{set_pose(project, index, std::move(solved.pose)), std::move(solved.reports)};
+  for (std::size_t i = 0; i < strokes.size(); ++i) {
+    PlacedStroke kept = strokes[i];
+    kept.id = result.project.next_id++;
+    kept.before = actor.pose;
+    kept.line = choices[i].line;
+    result.project.strokes.push_back(std::move(kept));
+  }
+  return result;
+}
+
+Project set_view(const Project& project, const std::string& name, const Camera& camera) {
+  camera.check();
+  Project next = project;
+  const auto old =
+      std::find_if(next.views.begin(), next.views.end(), [&](const NamedView& v) { return v.name == name; });
+  if (old != next.views.end()) {
+    old->camera = camera;
+  } else {
+    next.views.push_back({name, camera});
+  }
+  return next;
+}
+
+}  // namespace croquis

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "cli/command.h"
+#include "cli/files.h"
+#include "cli/options.h"
+#include "cli/outputs.h"
+#include "cli/pictures.h"
+#include "cli/progress.h"
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+
+#include "croquis/base/error.h"
+#include "croquis/edit/frame.h"
+
+namespace croquis::cli {
+namespace {
+
+struct Options {
+  std::string input;
+  std::string output;
+  ViewOptions view;
+  std::optional<int> frame;
+  bool skeleton = false;
+  bool transparent = false;
+  std::string skinning = "linear";
+  ProportionOptions proportions;
+};
+
+void run(const Options& options) {
+  Outputs outputs;
+  (void)output_format(options.output, {"png"});
+  outputs.announce(options.output);
+  options.proportions.check(options.input);
+  PictureOptions look;
+  look.skeleton = options.skeleton;
+  look.transparent = options.transparent;
+  look.skinning = parse_skinning(options.skinning);
+
+  Progress progress;
+  progress.at("Reading " + options.input);
+  Project project = load_project(options.input, options.proportions.proportions);
+  if (options.frame) {
+    Actor& actor = project.actors.front();
+    try {
+      actor.character = std::make_shared<const Character>(character_at_frame(*actor.character, *options.frame));
+    } catch (const Error& error) {
+      throw Error(error.code(), options.input + ": " + error.what());
+    }
+    actor.pose = actor.character->start;
+  }
+  progress.at("Rendering " + options.output);
+  outputs.add(options.output, picture_of(project.actors, options.view.camera(project.actors), {}, look));
+  outputs.write();
+}
+
+}  // namespace
+
+Command add_render_command(CLI::App& program) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand("render", "Draws a picture of a file as it stands");
+  command->add_option("FILE", options->input, "A character, a project, or a built-in character")->required();
+  command->add_option("-o,--output", options->output, "The picture, a .png")->required()->type_name("OUT.png");
+  options->view.add_to(*command);
+  command->add_option("--frame", options->frame, "The frame of the first clip, from 0 [default: as the file opens]")
+      ->type_name("N");
+  command->add_flag("--skeleton", options->skeleton, "Draw the bones over the body [default: off]");
+  command->add_flag("--transparent", options->transparent, "No ground, no background [default: off]");
+  command->add_option("--skinning", options->skinning, "linear or dual-quaternion")->type_name("METHOD");
+  options->proportions.add_to(*command);
+  command->footer("Example:\n  croquis render mannequin --view three-quarter --size 800x1000 -o mannequin.png");
+  return {command, [options] { run(*options); }};
+}
+
+}  // namespace croquis::cli

@@ -1,0 +1,104 @@
+// What the program says about itself, and how it answers to arguments that are wrong.
+import assert from 'node:assert/strict';
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import test from 'node:test';
+import { croquis, faultOf, makeFolder, succeed } from './support.mjs';
+
+const commands = ['pose', 'info', 'render', 'convert', 'character'];
+const line = '<svg viewBox="0 0 1024 1024"><path d="M512 900 C 300 700 300 400 560 120"/></svg>';
+
+test('--version says name and version', () => {
+  assert.match(succeed(['--version']), /^croquis \d+\.\d+\.\d+\n$/);
+});
+
+test('--help names every command', () => {
+  const help = succeed(['--help']);
+  for (const command of commands) assert.match(help, new RegExp(`^  ${command} `, 'm'));
+});
+
+for (const command of commands) {
+  test(`${command} --help gives the default of every option that is not required`, () => {
+    // CLI11 breaks long lines: one entry is an option and the lines until the next.
+    const entries = succeed([command, '--help']).split(/\n(?=  -)/).slice(1);
+    assert.ok(entries.length >= 1);
+    for (const entry of entries) {
+      if (/^  -h/.test(entry)) continue;
+      assert.match(entry.split('\n\n')[0], /REQUIRED|\[default: [^\]]+\]|=\S+/, entry);
+    }
+  });
+
+  test(`the example of ${command} --help runs`, () => {
+    const folder = makeFolder();
+    writeFileSync(join(folder, 'line.svg'), line);
+    const example = succeed([command, '--help']).split('Example:')[1].trim().split(/\s+/);
+    assert.deepEqual(example.slice(0, 2), ['croquis', command]);
+    assert.equal(faultOf(croquis(example.slice(1), { cwd: folder }), [0]), undefined);
+  });
+}
+
+test('the example of --help runs', () => {
+  const example = succeed(['--help']).split('Example:')[1].trim().split('\n')[0].trim().split(/\s+/);
+  assert.equal(faultOf(croquis(example.slice(1)), [0]), undefined);
+});
+
+const wrong = {
+  'no command': [],
+  'an unknown command': ['draw'],
+  'an unknown option': ['pose', 'mannequin', '--lnie', 'x.svg', '-o', 'x.glb'],
+  'no output': ['pose', 'mannequin'],
+  'a line that is not there': ['pose', 'mannequin', '--line', 'nowhere.svg', '-o', 'x.glb'],
+  'a rig that is not there': ['pose', 'nowhere.glb', '-o', 'x.glb'],
+  'a folder as rig': ['pose', '.', '-o', 'x.glb'],
+  'an output of no format': ['pose', 'mannequin', '-o', 'x.fbx'],
+  'an output without extension': ['pose', 'mannequin', '-o', 'x'],
+  'an output folder that is not there': ['pose', 'mannequin', '-o', 'nowhere/x.glb'],
+  'a picture of another format': ['pose', 'mannequin', '-o', 'x.glb', '--picture', 'x.jpg'],
+  'output and picture of one name': ['render', 'mannequin', '-o', 'x.glb'],
+  'joints and a body line': ['pose', 'mannequin', '--line', 'line.svg', '--joints', 'hips,head', '--body-line', 'trunk', '-o', 'x.glb'],
+  'a body line without a line': ['pose', 'mannequin', '--body-line', 'trunk', '-o', 'x.glb'],
+  'a joint that is not there': ['pose', 'mannequin', '--line', 'line.svg', '--joints', 'hips,haed', '-o', 'x.glb'],
+  'a body line that is not there': ['pose', 'mannequin', '--line', 'line.svg', '--body-line', 'tail', '-o', 'x.glb'],
+  'a selection that forks': ['pose', 'mannequin', '--line', 'line.svg', '--joints', 'hips,spine,leftUpperLeg,rightUpperLeg,leftFoot,head,leftToes,rightFoot', '-o', 'x.glb'],
+  'an unknown method': ['pose', 'mannequin', '--line', 'line.svg', '--method', 'magic', '-o', 'x.glb'],
+  'an unknown plane': ['pose', 'mannequin', '--line', 'line.svg', '--plane', 'sky', '-o', 'x.glb'],
+  'an unknown root mode': ['pose', 'mannequin', '--line', 'line.svg', '--root', 'fly', '-o', 'x.glb'],
+  'an unknown direction': ['pose', 'mannequin', '--line', 'line.svg', '--direction', 'up', '-o', 'x.glb'],
+  'an unknown view': ['pose', 'mannequin', '--line', 'line.svg', '--view', 'below', '-o', 'x.glb'],
+  'the ground plane from above': ['pose', 'mannequin', '--line', 'line.svg', '--view', 'top', '--plane', 'ground', '-o', 'x.glb'],
+  'a view and a camera': ['pose', 'mannequin', '--view', 'top', '--camera', 'camera.json', '-o', 'x.glb'],
+  'a camera that is not there': ['pose', 'mannequin', '--camera', 'nowhere.json', '-o', 'x.glb'],
+  'a camera that is none': ['pose', 'mannequin', '--camera', 'line.svg', '-o', 'x.glb'],
+  'a line that is none': ['pose', 'mannequin', '--line', 'camera.json', '-o', 'x.glb'],
+  'a line that is a dot': ['pose', 'mannequin', '--line', 'dot.svg', '-o', 'x.glb'],
+  'an unknown form': ['pose', 'mannequin', '--as', 'statue', '-o', 'x.glb'],
+  'unknown skinning': ['render', 'mannequin', '--skinning', 'cubic', '-o', 'x.png'],
+  'a size that is none': ['render', 'mannequin', '--size', '100', '-o', 'x.png'],
+  'a size too large': ['render', 'mannequin', '--size', '99999x2', '-o', 'x.png'],
+  'a frame of no clip': ['render', 'mannequin', '--frame', '0', '-o', 'x.png'],
+  'a frame that is no number': ['render', 'mannequin', '--frame', 'two', '-o', 'x.png'],
+  'a start of another skeleton': ['pose', 'mannequin', '--start', 'cat', '-o', 'x.glb'],
+  'a start that is not there': ['pose', 'mannequin', '--start', 'nowhere.bvh:3', '-o', 'x.glb'],
+  'a frame of a start without clips': ['pose', 'mannequin', '--start', 'mannequin:1', '-o', 'x.glb'],
+  'an unknown character': ['character', 'dragon', '-o', 'x.glb'],
+  'a proportion out of range': ['character', 'mannequin', '--heads', '30', '-o', 'x.glb'],
+  'proportions of a file': ['render', 'nowhere.glb', '--heads', '6', '-o', 'x.png'],
+  'stretched bones in a BVH': ['pose', 'mannequin', '--line', 'line.svg', '--method', 'curvilinear', '-o', 'x.bvh'],
+};
+for (const [what, args] of Object.entries(wrong)) {
+  test(`${what} ends in status 2 and one line`, () => {
+    const folder = makeFolder();
+    writeFileSync(join(folder, 'line.svg'), line);
+    writeFileSync(join(folder, 'dot.svg'), '<svg><path d="M5 5L5 5"/></svg>');
+    writeFileSync(join(folder, 'camera.json'), '{"projection":"orthographic","height":2,"position":[0,1,5],"target":[0,1,0],"up":[0,1,0],"width":512,"height_px":512}');
+    assert.equal(faultOf(croquis(args, { cwd: folder }), [2]), undefined);
+  });
+}
+
+test('a usage error says where help is, a misspelt word which was meant', () => {
+  assert.match(croquis(['pose', 'mannequin']).stderr, /croquis pose --help/);
+  const folder = makeFolder();
+  writeFileSync(join(folder, 'line.svg'), line);
+  const run = croquis(['pose', 'mannequin', '--line', 'line.svg', '--joints', 'hips,haed', '-o', 'x.glb'], { cwd: folder });
+  assert.match(run.stderr, /'haed'.*'head'/);
+});
