@@ -16,7 +16,7 @@
 namespace croquis {
 namespace {
 
-constexpr int kTriangles = 4, kTriangleStrip = 5, kTriangleFan = 6;
+constexpr int kTriangles = 4, kTriangleStrip = 5;  // and 6, a fan
 
 int mode_of(const JsonPlace& primitive) { return static_cast<int>(primitive["mode"].integer_or(kTriangles, 0, 6)); }
 
