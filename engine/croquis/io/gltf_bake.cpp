@@ -31,7 +31,7 @@ std::vector<Affine> model_from_nodes(const GltfNodes& nodes) {
 class Baker {
  public:
   Baker(GltfEditor& editor, const GltfDocument& document, const GltfNodes& nodes)
-      : editor_(editor), document_(document), nodes_(nodes), model_(model_from_nodes(nodes)) {
+      : editor_(editor), document_(document), model_(model_from_nodes(nodes)) {
     for (int i = 0; i < nodes.size(); ++i) {
       if (nodes[i].mesh >= 0) ++users_[nodes[i].mesh];
     }
@@ -113,7 +113,6 @@ class Baker {
 
   GltfEditor& editor_;
   const GltfDocument& document_;
-  const GltfNodes& nodes_;
   std::vector<Affine> model_;
   std::map<int, int> users_;  ///< mesh -> nodes that show it
   std::set<int> baked_nodes_;
