@@ -9,6 +9,7 @@
 #include "croquis/io/gltf_read.h"
 #include "croquis/io/gltf_write.h"
 #include "croquis/io/obj.h"
+#include "croquis/io/project_file.h"
 #include "croquis/io/vrm_write.h"
 
 namespace croquis {
@@ -27,6 +28,7 @@ Character read_character(std::span<const std::byte> bytes, std::string_view file
                          const ResourceReader& resources) {
   if (bytes.empty()) throw_bad_file("byte 0", "the file is empty");
   const std::string_view word = first_word(bytes);
+  if (is_project(bytes)) return read_first_actor(bytes, file_name);
   if (is_glb(bytes) || word.starts_with('{')) return read_gltf(bytes, file_name, resources);
   if (to_lower(word.substr(0, 9)) == "hierarchy") return read_bvh(bytes, file_name);
   const std::string format = file_format(file_name);

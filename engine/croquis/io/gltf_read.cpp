@@ -13,6 +13,7 @@
 #include "croquis/io/gltf_nodes.h"
 #include "croquis/io/gltf_skeleton.h"
 #include "croquis/io/vrm.h"
+#include "croquis/io/words.h"
 
 namespace croquis {
 namespace {
@@ -26,9 +27,13 @@ void report_nodes(const GltfNodes& nodes, const JointChoice& choice, std::vector
     if ((scale - Vec3::Ones()).cwiseAbs().maxCoeff() > 1e-3) ++scaled;
     if (scale.prod() < 0.0) ++mirrored;
   }
-  if (sheared > 0) oddities.push_back(std::to_string(sheared) + " joints are sheared, which their pose cannot hold.");
-  if (scaled > 0) oddities.push_back(std::to_string(scaled) + " joints are scaled.");
-  if (mirrored > 0) oddities.push_back(std::to_string(mirrored) + " joints are mirrored by a negative scale.");
+  if (sheared > 0)
+    oddities.push_back(count_of(sheared, "joint") + (sheared == 1 ? " is" : " are") +
+                       " sheared, which their pose cannot hold.");
+  if (scaled > 0) oddities.push_back(count_of(scaled, "joint") + (scaled == 1 ? " is" : " are") + " scaled.");
+  if (mirrored > 0)
+    oddities.push_back(count_of(mirrored, "joint") + (mirrored == 1 ? " is" : " are") +
+                       " mirrored by a negative scale.");
 }
 
 void report_names(const Skeleton& skeleton, std::vector<std::string>& oddities) {
@@ -40,10 +45,10 @@ void report_names(const Skeleton& skeleton, std::vector<std::string>& oddities) 
     else if (!seen.insert(joint.name).second)
       twice.insert(joint.name);
   }
-  if (unnamed > 0) oddities.push_back(std::to_string(unnamed) + " joints have no name.");
+  if (unnamed > 0) oddities.push_back(count_of(unnamed, "joint") + (unnamed == 1 ? " has" : " have") + " no name.");
   if (!twice.empty()) {
-    oddities.push_back(std::to_string(twice.size()) + " joint names stand more than once, such as '" +
-                       printable(*twice.begin()) + "'.");
+    oddities.push_back(count_of(std::ssize(twice), "joint name") + (twice.size() == 1 ? " stands" : " stand") +
+                       " more than once, such as '" + printable(*twice.begin()) + "'.");
   }
 }
 
@@ -63,8 +68,8 @@ void report_bind_pose(const Character& character, std::vector<std::string>& oddi
     }
   }
   if (!away.empty()) {
-    oddities.push_back("It does not stand as it was bound: " + std::to_string(away.size()) +
-                       " joints rest elsewhere than in the bind pose.");
+    oddities.push_back("It does not stand as it was bound: " + count_of(std::ssize(away), "joint") +
+                       (away.size() == 1 ? " rests" : " rest") + " elsewhere than in the bind pose.");
   }
 }
 
