@@ -24,7 +24,7 @@ for (const command of commands) {
     assert.ok(entries.length >= 1);
     for (const entry of entries) {
       if (/^  -h/.test(entry)) continue;
-      assert.match(entry.split('\n\n')[0], /REQUIRED|\[default: [^\]]+\]|=\S+/, entry);
+      assert.match(entry.split('\n\n')[0], /\[required\]|\[default: [^\]]+\]|=\S+/, entry);
     }
   });
 

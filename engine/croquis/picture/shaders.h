@@ -50,8 +50,8 @@ void main() {
 )";
 
 /// Ambient occlusion in screen space: how much of the hemisphere over a point its surroundings on the screen hide. The
-/// obscurance of mcguire2012, (1 - d^2 / r^2)^2 cos(angle) summed over a spiral of samples, turned from pixel to pixel in
-/// a 4 x 4 pattern that the reader averages away.
+/// obscurance of mcguire2012, (1 - d^2 / r^2)^2 cos(angle) summed over a spiral of samples, turned from pixel to pixel
+/// in a 4 x 4 pattern that the reader averages away.
 inline constexpr const char* kOcclusionFragment = R"(
 uniform sampler2D depths;
 uniform sampler2D normals;
