@@ -64,7 +64,13 @@ LineChoice choose_line(const Character& character, const StrokeSettings& setting
   BodyLine line;
   if (!settings.joints.empty()) {
     const std::string name = format_joint_list(skeleton, settings.joints);
-    if (!is_path(skeleton, settings.joints)) return {{name, {}}, segments_of_selection(skeleton, settings.joints)};
+    if (!is_path(skeleton, settings.joints)) {
+      // Not `return {{name, {}}, segments_of_selection(...)}`: g++ 12 destroys the name twice when that call throws.
+      LineChoice choice;
+      choice.segments = segments_of_selection(skeleton, settings.joints);
+      choice.line.name = name;
+      return choice;
+    }
     line = make_body_line(skeleton, settings.joints);
     line.name = name;
   } else if (!settings.body_line.empty()) {
