@@ -89,6 +89,23 @@ TEST(Palette, TheBindPoseIsTheIdentity) {
   }
 }
 
+TEST(Palette, JointsThatTurnByUpTo90DegreesShareAHemisphereWhateverTheBodyDoes) {
+  Random random(5);
+  const Quat body = random_rotation(random);
+  std::vector<Affine> matrices;
+  for (int i = 0; i < 40; ++i) {
+    const Vec3 axis = random_vector(random).normalized();
+    matrices.push_back(
+        rigid(body * Quat(Eigen::AngleAxisd(random.uniform(-89.0, 89.0) * kDegree, axis)), Vec3::Zero()));
+  }
+  matrices.front() = rigid(body, Vec3::Zero());
+  EXPECT_TRUE(SkinningPalette(matrices, {}, SkinningMethod::dual_quaternion).share_hemisphere());
+  for (const double degrees : {0.0, 120.0, 240.0}) {
+    matrices.push_back(rigid(body * Quat(Eigen::AngleAxisd(degrees * kDegree, Vec3::UnitX())), Vec3::Zero()));
+  }
+  EXPECT_FALSE(SkinningPalette(matrices, {}, SkinningMethod::dual_quaternion).share_hemisphere());
+}
+
 TEST(Palette, MirroredEntriesAreKnown) {
   const std::vector<Affine> matrices = {Affine::Identity(), Affine(Eigen::Scaling(-1.0, 1.0, 1.0))};
   const SkinningPalette palette(matrices);

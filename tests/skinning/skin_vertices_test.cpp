@@ -67,8 +67,16 @@ TEST(SkinVertices, EveryKernelFollowsTheFormulasForAnyNumberOfInfluences) {
   Random random(11);
   for (const int influences : {1, 2, 3, 4, 5, 7, 8, 9, 13}) {
     for (const int vertices : {1, 2, 7, 8, 9, 64, 257, 600}) {
-      const std::vector<Affine> matrices = random_rigid_palette(random, 20);
-      const RandomSkin skin = random_skin(random, vertices, 20, influences);
+      // Wild rotations at one time, and at another such as share a hemisphere.
+      const double most = vertices % 2 == 0 ? kPi : kPi / 2;
+      std::vector<Affine> matrices;
+      for (int i = 0; i < 20; ++i) {
+        const double angle = i == 0 ? 0.0 : random.uniform(-most, most);
+        matrices.push_back(
+            rigid(rotation_from_vector(angle * random_vector(random).normalized()), random_vector(random)));
+      }
+      RandomSkin skin = random_skin(random, vertices, 20, influences);
+      skin.tangents.clear();  // the fast kernels leave meshes with tangents to the portable one
       for (int k = 0; k < available_kernels().count; ++k) {
         Skinned linear, dual;
         skin_vertices(SkinningPalette(matrices), job_of(skin, linear), available_kernels().sets[k]);
@@ -91,6 +99,30 @@ TEST(SkinVertices, EveryKernelFollowsTheFormulasForAnyNumberOfInfluences) {
         EXPECT_LT(dual_error, 2e-5) << influences << " influences, " << vertices << " vertices, kernel " << k;
         EXPECT_LT(normal_error, 2e-5) << influences << " influences, " << vertices << " vertices, kernel " << k;
       }
+    }
+  }
+}
+
+TEST(SkinVertices, NormalsKeepTheLengthOfTheBlendWhereThatIsAskedFor) {
+  Random random(20);
+  const std::vector<Affine> matrices = random_rigid_palette(random, 9);
+  const RandomSkin skin = random_skin(random, 150, 9, 4);
+  for (int k = 0; k < available_kernels().count; ++k) {
+    Skinned linear, dual;
+    SkinningJob job = job_of(skin, linear);
+    job.tangents = {};
+    job.posed_tangents = {};
+    job.unit_normals = false;
+    skin_vertices(SkinningPalette(matrices), job, available_kernels().sets[k]);
+    job.posed_positions = (dual.positions = linear.positions);
+    job.posed_normals = (dual.normals = linear.normals);
+    skin_vertices(SkinningPalette(matrices, {}, SkinningMethod::dual_quaternion), job, available_kernels().sets[k]);
+    for (int v = 0; v < 150; ++v) {
+      const auto i = static_cast<std::size_t>(v);
+      const Vec3 normal = skin.normals[i].cast<double>();
+      const Vec3 blended = blended_matrix(matrices, skin, v).linear() * normal;
+      EXPECT_LT((linear.normals[i].cast<double>() - blended).norm(), 2e-6);
+      EXPECT_NEAR(dual.normals[i].norm(), 1.0F, 1e-5F);
     }
   }
 }
@@ -163,9 +195,14 @@ TEST(SkinVertices, AVertexWithoutWeightsFollowsEntryZero) {
   const std::vector<Affine> matrices = random_rigid_palette(random, 5);
   RandomSkin skin = random_skin(random, 40, 5, 4);
   for (std::size_t i = 17 * 4; i < 18 * 4; ++i) skin.weights[i] = 0.0F;
+  skin.tangents.clear();
   for (const SkinningMethod method : {SkinningMethod::linear, SkinningMethod::dual_quaternion}) {
-    const Skinned out = skinned(SkinningPalette(matrices, {}, method), skin);
-    EXPECT_LT((out.positions[17].cast<double>() - matrices[0] * skin.positions[17].cast<double>()).norm(), 3e-6);
+    for (const bool share_hemisphere : {false, true}) {
+      const std::vector<Affine> palette = share_hemisphere ? std::vector<Affine>(5, matrices[0]) : matrices;
+      const Skinned out = skinned(SkinningPalette(palette, {}, method), skin);
+      EXPECT_LT((out.positions[17].cast<double>() - matrices[0] * skin.positions[17].cast<double>()).norm(), 3e-6);
+      EXPECT_TRUE(std::all_of(out.normals.begin(), out.normals.end(), [](const Vec3f& n) { return n.allFinite(); }));
+    }
   }
 }
 

@@ -22,7 +22,8 @@ struct alignas(32) DualQuaternionEntry {
 };
 
 /// Vertices to skin; every array is packed (3 floats per position and normal, 4 per tangent) and null where absent.
-/// Outputs overlap no input. A kernel writes normals and tangents with a length of their own.
+/// Outputs overlap no input.
+/// Posed tangents, and normals with `unit_normals`, are unit, or as they were where a matrix leaves them no direction.
 struct KernelJob {
   const MatrixEntry* matrices = nullptr;
   const MatrixEntry* normal_matrices = nullptr;  ///< null: as `matrices`
@@ -37,6 +38,8 @@ struct KernelJob {
   float* posed_positions = nullptr;
   float* posed_normals = nullptr;
   float* posed_tangents = nullptr;
+  bool unit_normals = true;
+  bool share_hemisphere = false;  ///< no two of `dual_quaternions` have real parts with a negative dot product
 
   /// `length` vertices from `first` on.
   [[nodiscard]] KernelJob slice(std::ptrdiff_t first, std::ptrdiff_t length) const;
@@ -46,19 +49,17 @@ struct KernelSet {
   const char* name;
   void (*linear)(const KernelJob& job);
   void (*dual_quaternion)(const KernelJob& job);
-  /// Gives `count` vectors (3 floats each) unit length; one that has no direction becomes the one in `otherwise`.
-  void (*normalise)(const float* otherwise, float* vectors, std::ptrdiff_t count);
 };
 
 /// Every vertex by 4-wide vectors that any compiler here knows.
 void linear_portable(const KernelJob& job);
 void dual_quaternion_portable(const KernelJob& job);
-void normalise_portable(const float* otherwise, float* vectors, std::ptrdiff_t count);
+/// Gives the posed normals unit length where they are.
+void normalise_portable(const KernelJob& job);
 
 /// For processors with AVX2 and FMA.
 void linear_x86_64_v3(const KernelJob& job);
 void dual_quaternion_x86_64_v3(const KernelJob& job);
-void normalise_x86_64_v3(const float* otherwise, float* vectors, std::ptrdiff_t count);
 
 /// The kernels that this processor can run, the fastest first; the last is the portable one.
 struct KernelList {

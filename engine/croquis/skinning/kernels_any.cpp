@@ -4,7 +4,7 @@
 namespace croquis::skinning_kernels {
 
 KernelList available_kernels() {
-  static constexpr KernelSet kSets[] = {{"portable", linear_portable, dual_quaternion_portable, normalise_portable}};
+  static constexpr KernelSet kSets[] = {{"portable", linear_portable, dual_quaternion_portable}};
   return {kSets, 1};
 }
 

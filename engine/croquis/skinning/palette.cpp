@@ -81,6 +81,30 @@ DualQuaternionEntry to_dual_quaternion(const Mat3& rotation, const Vec3& transla
   return entry;
 }
 
+float dot(const DualQuaternionEntry& a, const DualQuaternionEntry& b) {
+  return a.real[0] * b.real[0] + a.real[1] * b.real[1] + a.real[2] * b.real[2] + a.real[3] * b.real[3];
+}
+
+// Turns every entry to the side of the first one (q and -q are the same motion); true if no pair is left that points
+// apart. Of a palette so large that looking at all pairs would cost more than it saves, no.
+bool gather_in_hemisphere(std::vector<DualQuaternionEntry>& entries) {
+  constexpr std::size_t kMost = 256;
+  for (DualQuaternionEntry& entry : entries) {
+    if (dot(entries.front(), entry) >= 0.0F) continue;
+    for (int c = 0; c < 4; ++c) {
+      entry.real[c] = -entry.real[c];
+      entry.dual[c] = -entry.dual[c];
+    }
+  }
+  if (entries.size() > kMost) return false;
+  for (auto a = entries.begin(); a != entries.end(); ++a) {
+    for (auto b = entries.begin(); b != a; ++b) {
+      if (dot(*a, *b) < 0.0F) return false;
+    }
+  }
+  return true;
+}
+
 double median_scale(std::span<const Affine> matrices) {
   std::vector<double> scales;
   for (const Affine& matrix : matrices) scales.push_back(signed_scale(matrix.linear()));
@@ -124,6 +148,7 @@ SkinningPalette::SkinningPalette(std::span<const Affine> matrices, std::span<con
     stretches[i].translation() = common * centre - stretches[i].linear() * centre;
     dual_quaternions_.push_back(to_dual_quaternion(rotation, matrices[i] * centre - rotation * (common * centre)));
   }
+  share_hemisphere_ = gather_in_hemisphere(dual_quaternions_);
   if (any_stretch) set_matrices(stretches);
 }
 

@@ -43,9 +43,28 @@ inline void store3(float* to, Float4 v) {
 inline Float4 all(float s) { return Float4{s, s, s, s}; }
 inline Float4 yzx(Float4 v) { return __builtin_shufflevector(v, v, 1, 2, 0, 3); }
 inline Float4 cross(Float4 a, Float4 b) { return yzx(a * yzx(b) - yzx(a) * b); }
-inline float dot(Float4 a, Float4 b) {
+// In every lane.
+inline Float4 dot(Float4 a, Float4 b) {
   const Float4 p = a * b;
-  return (p[0] + p[1]) + (p[2] + p[3]);
+  const Float4 pairs = p + __builtin_shufflevector(p, p, 1, 0, 3, 2);
+  return pairs + __builtin_shufflevector(pairs, pairs, 2, 3, 0, 1);
+}
+// `value`, negated where `sign` is below 0.
+inline Float4 with_sign_of(Float4 sign, Float4 value) { return sign < all(0.0F) ? -value : value; }
+
+// With unit length; `otherwise` where there is no direction.
+inline void store_direction(float* to, Float4 v, const float* otherwise) {
+  const Float4 direction = __builtin_shufflevector(v, all(0.0F), 0, 1, 2, 4);
+  const float square = dot(direction, direction)[0];
+  store3(to, square > kNoDirection ? direction * all(1.0F / std::sqrt(square)) : load3(otherwise));
+}
+
+inline void store_normal(const KernelJob& job, std::ptrdiff_t v, Float4 normal) {
+  if (job.unit_normals) {
+    store_direction(job.posed_normals + 3 * v, normal, job.normals + 3 * v);
+  } else {
+    store3(job.posed_normals + 3 * v, normal);
+  }
 }
 
 struct Columns {
@@ -86,10 +105,10 @@ void linear(const KernelJob& job) {
       const Columns normal_matrix = job.normal_matrices == nullptr
                                         ? matrix
                                         : blend<kInfluences>(job.normal_matrices, indices, weights, job.influences);
-      store3(job.posed_normals + 3 * v, normal_matrix.turn(job.normals + 3 * v));
+      store_normal(job, v, normal_matrix.turn(job.normals + 3 * v));
     }
     if (job.tangents != nullptr) {
-      store3(job.posed_tangents + 4 * v, matrix.turn(job.tangents + 4 * v));
+      store_direction(job.posed_tangents + 4 * v, matrix.turn(job.tangents + 4 * v), job.tangents + 4 * v);
       job.posed_tangents[4 * v + 3] = job.tangents[4 * v + 3];
     }
   }
@@ -116,7 +135,7 @@ inline void blend_dual(const DualQuaternionEntry* palette, const std::uint16_t* 
   for (std::ptrdiff_t k = 0; k < influences; ++k) {
     const DualQuaternionEntry& entry = palette[indices[k]];
     const Float4 entry_real = load4(entry.real);
-    const Float4 weight = all(dot(pivot, entry_real) < 0.0F ? -weights[k] : weights[k]);
+    const Float4 weight = with_sign_of(dot(pivot, entry_real), all(weights[k]));
     real += weight * entry_real;
     dual += weight * load4(entry.dual);
   }
@@ -144,30 +163,24 @@ void dual_quaternion_portable(const KernelJob& job) {
                job.influences, real, dual);
     // With r the real and d the dual part, neither normalised:
     //   rotated v = v + 2 / |r|^2 r x (r x v + r_w v),   translation = 2 / |r|^2 (r_w d - d_w r + r x d).
-    const Float4 twice = all(2.0F / dot(real, real)), scalar = all(real[3]);
+    const Float4 twice = all(2.0F) / dot(real, real), scalar = all(real[3]);
     const auto rotated = [&](const float* vector) {
       const Float4 p = load3(vector);
       return p + twice * cross(real, cross(real, p) + scalar * p);
     };
     const Float4 translation = twice * (scalar * dual - all(dual[3]) * real + cross(real, dual));
     store3(job.posed_positions + 3 * v, rotated(job.positions + 3 * v) + translation);
-    if (job.normals != nullptr) store3(job.posed_normals + 3 * v, rotated(job.normals + 3 * v));
+    if (job.normals != nullptr) store_normal(job, v, rotated(job.normals + 3 * v));
     if (job.tangents != nullptr) {
-      store3(job.posed_tangents + 4 * v, rotated(job.tangents + 4 * v));
+      store_direction(job.posed_tangents + 4 * v, rotated(job.tangents + 4 * v), job.tangents + 4 * v);
       job.posed_tangents[4 * v + 3] = job.tangents[4 * v + 3];
     }
   }
 }
 
-void normalise_portable(const float* otherwise, float* vectors, std::ptrdiff_t count) {
-  for (std::ptrdiff_t v = 0; v < count; ++v) {
-    const Float4 vector = load3(vectors + 3 * v);
-    const float square = dot(vector, vector);
-    if (square > kNoDirection) {
-      store3(vectors + 3 * v, vector * all(1.0F / std::sqrt(square)));
-    } else {
-      store3(vectors + 3 * v, load3(otherwise + 3 * v));
-    }
+void normalise_portable(const KernelJob& job) {
+  for (std::ptrdiff_t v = 0; v < job.count; ++v) {
+    store_direction(job.posed_normals + 3 * v, load3(job.posed_normals + 3 * v), job.normals + 3 * v);
   }
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +14,7 @@ namespace {
 using skinning_kernels::KernelJob;
 using skinning_kernels::KernelSet;
 
-// Small enough for what is touched twice to stay in the first-level cache.
+// Small enough for a stretched block to stay in the first-level cache.
 constexpr std::ptrdiff_t kBlock = 256;
 
 void check(const SkinningPalette& palette, const SkinningJob& job) {
@@ -56,50 +55,34 @@ KernelJob to_kernel_job(const SkinningPalette& palette, const SkinningJob& job) 
   kernel_job.posed_positions = floats(job.posed_positions);
   kernel_job.posed_normals = floats(job.posed_normals);
   kernel_job.posed_tangents = floats(job.posed_tangents);
+  kernel_job.share_hemisphere = palette.share_hemisphere();
+  kernel_job.unit_normals = job.unit_normals;
   return kernel_job;
 }
 
-// Unit length for the tangents, and the handedness of vertices whose heaviest influence mirrors.
-void finish_tangents(const SkinningPalette& palette, const KernelJob& block) {
-  for (std::ptrdiff_t v = 0; v < block.count; ++v) {
-    float* tangent = block.posed_tangents + 4 * v;
-    Eigen::Map<Vec3f> direction(tangent);
-    const float length = direction.norm();
-    if (length * length > skinning_kernels::kNoDirection) {
-      direction /= length;
-    } else {
-      direction = Eigen::Map<const Vec3f>(block.tangents + 4 * v);
-    }
-    if (!palette.any_mirrored()) continue;
-    const float* weights = block.weights + v * block.influences;
-    const std::ptrdiff_t heaviest = std::max_element(weights, weights + block.influences) - weights;
+// The handedness of vertices whose heaviest influence mirrors.
+void mirror_tangents(const SkinningPalette& palette, const KernelJob& job) {
+  for (std::ptrdiff_t v = 0; v < job.count; ++v) {
+    const float* weights = job.weights + v * job.influences;
+    const std::ptrdiff_t heaviest = std::max_element(weights, weights + job.influences) - weights;
     const bool follows_none = !(weights[heaviest] > 0.0F);
-    const int entry = follows_none ? 0 : block.joint_indices[v * block.influences + heaviest];
-    if (palette.is_mirrored(entry)) tangent[3] = -tangent[3];
+    const int entry = follows_none ? 0 : job.joint_indices[v * job.influences + heaviest];
+    if (palette.is_mirrored(entry)) job.posed_tangents[4 * v + 3] = -job.posed_tangents[4 * v + 3];
   }
 }
 
-// Room for one block of stretched vertices, between the two phases of dual quaternion skinning.
-struct Scratch {
-  std::vector<float> positions = std::vector<float>(3 * kBlock);
-  std::vector<float> normals = std::vector<float>(3 * kBlock);
-  std::vector<float> tangents = std::vector<float>(4 * kBlock);
-};
-
-KernelJob stretch(const KernelJob& block, const KernelSet& kernels, Scratch& scratch) {
-  KernelJob first = block, second = block;
-  first.posed_positions = scratch.positions.data();
-  second.positions = first.posed_positions;
-  if (block.normals != nullptr) {
-    first.posed_normals = scratch.normals.data();
-    second.normals = first.posed_normals;
+// Stretches a block of vertices, then moves them by dual quaternions.
+void skin_in_two_phases(const KernelJob& whole, const KernelSet& kernels) {
+  std::vector<float> positions(3 * kBlock), normals(3 * kBlock), tangents(4 * kBlock);
+  for (std::ptrdiff_t first = 0; first < whole.count; first += kBlock) {
+    const KernelJob block = whole.slice(first, std::min(kBlock, whole.count - first));
+    KernelJob stretch = block, move = block;
+    move.positions = stretch.posed_positions = positions.data();
+    if (block.normals != nullptr) move.normals = stretch.posed_normals = normals.data();
+    if (block.tangents != nullptr) move.tangents = stretch.posed_tangents = tangents.data();
+    kernels.linear(stretch);
+    kernels.dual_quaternion(move);
   }
-  if (block.tangents != nullptr) {
-    first.posed_tangents = scratch.tangents.data();
-    second.tangents = first.posed_tangents;
-  }
-  kernels.linear(first);
-  return second;
 }
 
 }  // namespace
@@ -111,19 +94,14 @@ void skin_vertices(const SkinningPalette& palette, const SkinningJob& job) {
 void skin_vertices(const SkinningPalette& palette, const SkinningJob& job, const KernelSet& kernels) {
   check(palette, job);
   const KernelJob whole = to_kernel_job(palette, job);
-  const bool is_dual = palette.method() == SkinningMethod::dual_quaternion;
-  std::optional<Scratch> scratch;
-  if (is_dual && whole.matrices != nullptr) scratch.emplace();
-  for (std::ptrdiff_t first = 0; first < whole.count; first += kBlock) {
-    const KernelJob block = whole.slice(first, std::min(kBlock, whole.count - first));
-    if (!is_dual) {
-      kernels.linear(block);
-    } else {
-      kernels.dual_quaternion(scratch ? stretch(block, kernels, *scratch) : block);
-    }
-    if (block.normals != nullptr) kernels.normalise(block.normals, block.posed_normals, block.count);
-    if (block.tangents != nullptr) finish_tangents(palette, block);
+  if (palette.method() == SkinningMethod::linear) {
+    kernels.linear(whole);
+  } else if (whole.matrices == nullptr) {
+    kernels.dual_quaternion(whole);
+  } else {
+    skin_in_two_phases(whole, kernels);
   }
+  if (whole.tangents != nullptr && palette.any_mirrored()) mirror_tangents(palette, whole);
 }
 
 }  // namespace croquis
