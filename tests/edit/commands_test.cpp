@@ -95,6 +95,7 @@ TEST(PoseAlongLines, SolvesStrokesOfTheMethodLineTogether) {
     PlacedStroke placed;
     placed.camera = make_named_view(before.actors, View::front, 400, 400);
     placed.settings.method = "line";
+    placed.settings.root = "free";
     placed.settings.joints = std::move(joints);
     const Vec2 from = *placed.camera.project(Vec3::Zero()), to = *placed.camera.project(tip);
     for (int i = 0; i <= 10; ++i) placed.stroke.samples.push_back({from + 0.1 * i * (to - from)});

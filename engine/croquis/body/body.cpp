@@ -6,7 +6,9 @@
 
 #include "croquis/base/error.h"
 #include "croquis/base/text.h"
+#include "croquis/body/animals.h"
 #include "croquis/body/mannequin.h"
+#include "croquis/body/tree.h"
 
 namespace croquis {
 namespace {
@@ -28,7 +30,7 @@ void check(const Proportions& p) {
 
 }  // namespace
 
-std::vector<std::string> builtin_character_names() { return {"mannequin"}; }
+std::vector<std::string> builtin_character_names() { return {"mannequin", "cat", "snake", "tree"}; }
 
 bool is_builtin_character(std::string_view name) {
   const std::vector<std::string> names = builtin_character_names();
@@ -38,6 +40,9 @@ bool is_builtin_character(std::string_view name) {
 Character make_builtin_character(std::string_view name, const Proportions& proportions) {
   check(proportions);
   if (name == "mannequin") return make_mannequin(proportions);
+  if (name == "cat") return make_cat(proportions);
+  if (name == "snake") return make_snake(proportions);
+  if (name == "tree") return make_tree(proportions);
   throw_invalid_argument("no built-in character is named '" + printable(name) + "'; there are " +
                          join(builtin_character_names(), ", "));
 }

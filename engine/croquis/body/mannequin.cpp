@@ -115,12 +115,10 @@ Character make_mannequin(const Proportions& proportions) {
   sculpture.root.limbs.push_back(make_head(measures, armature));
   sculpture.root.limbs.push_back(make_arm(measures, armature));
   sculpture.root.limbs.push_back(make_leg(measures, armature));
-  Character character{"mannequin", armature.skeleton(), {}, {}, Vec3::UnitZ(), {}, {}, std::nullopt, {}, nullptr, {}};
-  character.start = rest_pose(character.skeleton);
+  Character character = assemble("mannequin", armature, std::move(sculpture));
   for (int j = 0; j < character.skeleton.joint_count(); ++j) {
     if (const auto bone = parse_humanoid_bone(character.skeleton.name(j))) character.humanoid.set(*bone, j, 1.0);
   }
-  character.parts.push_back(build_part(std::move(sculpture), armature));
   return character;
 }
 

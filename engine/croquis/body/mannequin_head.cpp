@@ -16,8 +16,8 @@ Limb make_head(const MannequinMeasures& m, const Armature& a) {
   const auto traits = [&](double blend, double detail = 0.05) {
     return FormTraits{{a.find("head")}, blend * h, detail * h, 0.9};
   };
-  Limb head{{}, 0.07 * m.unit};
-  head.forms.push_back(make_form(Ellipsoid(at(0.0, 0.655, -0.07), h * Vec3(0.335, 0.345, 0.425)), traits(0.0)));
+  Limb head{{}, 0.13 * m.unit};
+  head.forms.push_back(make_form(Ellipsoid(at(0.0, 0.655, -0.06), h * Vec3(0.330, 0.345, 0.405)), traits(0.0)));
   head.forms.push_back(
       make_form(Loft({section(0.075, 0.235, 0.11, 0.10, 0.10), section(0.20, 0.19, 0.185, 0.165, 0.16, 0.1),
                       section(0.38, 0.15, 0.245, 0.20, 0.20, 0.2), section(0.55, 0.11, 0.275, 0.24, 0.2, 0.25),
@@ -30,7 +30,7 @@ Limb make_head(const MannequinMeasures& m, const Armature& a) {
                                        oval_section(at(0.07, 0.075, 0.235), 0.06 * h, 0.065 * h)},
                                       x, z),
                                  traits(0.10, 0.04)));
-  head.forms.push_back(make_form(Ellipsoid(at(0.195, 0.43, 0.19), h * Vec3(0.085, 0.06, 0.10)), traits(0.07, 0.035)));
+  head.forms.push_back(make_form(Ellipsoid(at(0.185, 0.42, 0.185), h * Vec3(0.085, 0.075, 0.10)), traits(0.10, 0.035)));
   head.forms.push_back(make_form(Ellipsoid(at(0.0, 0.225, 0.255), h * Vec3(0.115, 0.09, 0.105)), traits(0.06, 0.035)));
   head.forms.push_back(make_carving(
       Ellipsoid(at(0.135, 0.495, 0.385), h * Vec3(0.095, 0.050, 0.065), turned(0.0, 20.0, -4.0)), traits(0.07, 0.03)));
@@ -55,6 +55,9 @@ Limb make_head(const MannequinMeasures& m, const Armature& a) {
   ear.forms.push_back(
       make_form(Ellipsoid(at(0.335, 0.455, -0.07), h * Vec3(0.028, 0.095, 0.060), turned(-14.0, -22.0, -8.0)),
                 traits(0.0, 0.028)));
+  ear.forms.push_back(
+      make_carving(Ellipsoid(at(0.372, 0.465, -0.045), h * Vec3(0.020, 0.060, 0.034), turned(-14.0, -22.0, -8.0)),
+                   traits(0.02, 0.028)));
   head.limbs.push_back(ear);
   return head;
 }

@@ -86,19 +86,24 @@ Limb make_arm(const MannequinMeasures& m, const Armature& a) {
   };
   const std::vector<int> joints{a.find("leftShoulder"), upper, lower, hand};
   Limb arm{{}, 0.16 * u};
-  arm.forms.push_back(make_form(Loft({section(shoulder + u * Vec3(-0.10, 0.0, 0.0), 0.20, 0.20, 0.17, 0.20),
-                                      section(on(shoulder, elbow, 0.07), 0.215, 0.205, 0.205, 0.205),
-                                      section(on(shoulder, elbow, 0.27), 0.19, 0.185, 0.195, 0.19),
-                                      section(on(shoulder, elbow, 0.55), 0.185, 0.165, 0.165, 0.165),
-                                      section(on(shoulder, elbow, 0.85), 0.145, 0.14, 0.135, 0.135),
-                                      section(elbow, 0.135, 0.14, 0.135, 0.13),
-                                      section(on(elbow, wrist, 0.22), 0.165, 0.145, 0.15, 0.14),
-                                      section(on(elbow, wrist, 0.45), 0.145, 0.135, 0.125, 0.125),
-                                      section(on(elbow, wrist, 0.78), 0.11, 0.105, 0.085, 0.085),
-                                      {on(elbow, wrist, 0.96), wrist_side, wrist_side, wrist_up, wrist_up},
-                                      {wrist + Vec3(0.03 * u, 0, 0), wrist_side, wrist_side, wrist_up, wrist_up}},
-                                     Vec3::UnitZ(), Vec3::UnitY(), 0.15 * u),
-                                {joints, 0.0, 0.058 * u, 0.9}));
+  std::vector<Section> sections{
+      section(shoulder + u * Vec3(-0.10, 0.0, 0.0), 0.20, 0.20, 0.16, 0.20),
+      section(on(shoulder, elbow, 0.07), 0.21, 0.20, 0.185, 0.21),
+      section(on(shoulder, elbow, 0.27), 0.19, 0.185, 0.185, 0.195),
+      section(on(shoulder, elbow, 0.55), 0.19, 0.165, 0.165, 0.175),
+      section(on(shoulder, elbow, 0.85), 0.148, 0.142, 0.138, 0.138),
+      section(elbow, 0.138, 0.142, 0.138, 0.132),
+      section(on(elbow, wrist, 0.22), 0.172, 0.150, 0.155, 0.145),
+      section(on(elbow, wrist, 0.45), 0.150, 0.138, 0.130, 0.130),
+      section(on(elbow, wrist, 0.78), 0.110, 0.106, 0.088, 0.088),
+      {on(elbow, wrist, 0.96), wrist_side, wrist_side, wrist_up, wrist_up},
+      {wrist + Vec3(0.03 * u, 0, 0), wrist_side, wrist_side, wrist_up, wrist_up},
+  };
+  arm.forms.push_back(
+      make_form(Loft(std::move(sections), Vec3::UnitZ(), Vec3::UnitY(), 0.15 * u), {joints, 0.0, 0.062 * u, 0.9}));
+  // The cap of the shoulder.
+  const Vec3 cap = on(shoulder, elbow, 0.10) + u * Vec3(0.0, 0.03, -0.01);
+  arm.forms.push_back(make_form(Ellipsoid(cap, t * Vec3(0.30, 0.215, 0.235)), {joints, 0.14 * u, 0.062 * u, 0.9}));
   arm.limbs.push_back(make_hand(m, a));
   return arm;
 }
@@ -122,7 +127,7 @@ Limb make_foot(const MannequinMeasures& m, const Armature& a) {
   const double detail = 0.045 * f;
   Limb limb{{}, 0.12 * f};
   limb.forms.push_back(make_form(
-      Loft({section(-0.18, 0.13, 0.0, 0.115, 0.115, 0.13, 0.25), section(-0.02, 0.15, 0.0, 0.125, 0.125, 0.17, 0.3),
+      Loft({section(-0.14, 0.13, 0.0, 0.115, 0.115, 0.13, 0.25), section(-0.02, 0.15, 0.0, 0.125, 0.125, 0.17, 0.3),
             section(0.22, 0.13, 0.01, 0.15, 0.125, 0.15, 0.35), section(0.44, 0.10, 0.01, 0.185, 0.155, 0.10, 0.4),
             section(0.56, 0.08, 0.01, 0.18, 0.165, 0.075, 0.4)},
            side, up, 0.13 * f, 0.07 * f),
@@ -133,14 +138,17 @@ Limb make_foot(const MannequinMeasures& m, const Armature& a) {
                       round_section(at(-0.01, 0.16, 0.34), 0.085 * f)},
                      side, Vec3::UnitY()),
                 {{foot}, 0.10 * f, detail, 0.8}));
+  for (const Vec3& bone : {at(0.095, 0.335, -0.015), at(-0.095, 0.375, 0.02)}) {
+    limb.forms.push_back(make_form(Ellipsoid(bone, f * Vec3(0.045, 0.065, 0.060)), {{foot}, 0.07 * f, detail, 0.8}));
+  }
   struct Toe {
     double x, root_z, tip_x, tip_z, radius;
   };
-  const Toe plan[] = {{-0.105, 0.54, -0.10, 0.735, 0.066},
-                      {0.005, 0.56, 0.02, 0.735, 0.047},
-                      {0.075, 0.54, 0.095, 0.70, 0.044},
-                      {0.130, 0.51, 0.155, 0.655, 0.041},
-                      {0.175, 0.47, 0.205, 0.59, 0.040}};
+  const Toe plan[] = {{-0.105, 0.54, -0.100, 0.735, 0.066},
+                      {-0.005, 0.56, 0.002, 0.735, 0.050},
+                      {0.068, 0.54, 0.080, 0.70, 0.045},
+                      {0.126, 0.51, 0.145, 0.655, 0.042},
+                      {0.172, 0.47, 0.196, 0.59, 0.041}};
   for (const Toe& toe : plan) {
     const double r = toe.radius;
     Limb one{{make_form(Loft({oval_section(at(toe.x, r, toe.root_z - 0.05), f * r, f * r),
@@ -166,20 +174,28 @@ Limb make_leg(const MannequinMeasures& m, const Armature& a) {
   const auto section = [&](const Vec3& p, double outer, double inner, double front, double back) {
     return Section{p, t * outer, std::min(t * inner, p.x() - 0.035 * u), t * front, t * back, 0.0};
   };
-  Limb leg{{}, 0.18 * u};
-  leg.forms.push_back(make_form(
-      Loft({section(hip + u * Vec3(0.0, 0.08, -0.02), 0.26, 0.26, 0.30, 0.30),
-            section(on(hip, knee, 0.12), 0.335, 0.34, 0.36, 0.36),
-            section(on(hip, knee, 0.35), 0.315, 0.32, 0.355, 0.31),
-            section(on(hip, knee, 0.65), 0.265, 0.26, 0.29, 0.25),
-            section(on(hip, knee, 0.88), 0.215, 0.215, 0.225, 0.215), section(knee, 0.205, 0.205, 0.22, 0.205),
-            section(on(knee, ankle, 0.12), 0.195, 0.20, 0.19, 0.225),
-            section(on(knee, ankle, 0.32), 0.225, 0.225, 0.165, 0.285),
-            section(on(knee, ankle, 0.55), 0.18, 0.18, 0.145, 0.225),
-            section(on(knee, ankle, 0.82), 0.12, 0.12, 0.12, 0.135), section(ankle, 0.125, 0.125, 0.125, 0.12),
-            section(ankle - Vec3(0, 0.1 * u, 0), 0.115, 0.115, 0.12, 0.11)},
-           Vec3::UnitX(), Vec3::UnitZ(), 0.2 * u),
-      {{a.find("hips"), upper, lower, foot}, 0.0, 0.062 * u, 0.9}));
+  Limb leg{{}, 0.28 * u};
+  std::vector<Section> sections{
+      section(on(hip, knee, -0.11), 0.22, 0.20, 0.24, 0.26),
+      section(hip, 0.30, 0.29, 0.32, 0.34),
+      section(on(hip, knee, 0.15), 0.335, 0.325, 0.36, 0.36),
+      section(on(hip, knee, 0.38), 0.305, 0.295, 0.345, 0.30),
+      section(on(hip, knee, 0.65), 0.25, 0.245, 0.285, 0.245),
+      section(on(hip, knee, 0.87), 0.205, 0.21, 0.225, 0.215),
+      section(knee, 0.195, 0.20, 0.225, 0.20),
+      section(on(knee, ankle, 0.11), 0.195, 0.195, 0.185, 0.22),
+      section(on(knee, ankle, 0.27), 0.23, 0.21, 0.165, 0.28),
+      section(on(knee, ankle, 0.38), 0.215, 0.22, 0.155, 0.275),
+      section(on(knee, ankle, 0.58), 0.165, 0.17, 0.14, 0.205),
+      section(on(knee, ankle, 0.82), 0.115, 0.115, 0.12, 0.135),
+      section(ankle, 0.125, 0.125, 0.125, 0.12),
+      section(ankle - Vec3(0, 0.1 * u, 0), 0.115, 0.115, 0.12, 0.11),
+  };
+  leg.forms.push_back(make_form(Loft(std::move(sections), Vec3::UnitX(), Vec3::UnitZ(), 0.2 * u),
+                                {{a.find("hips"), upper, lower, foot}, 0.0, 0.066 * u, 0.9}));
+  const Vec3 kneecap = knee + u * Vec3(0.0, 0.02, 0.0) + t * Vec3(0.0, 0.0, 0.145);
+  leg.forms.push_back(
+      make_form(Ellipsoid(kneecap, t * Vec3(0.115, 0.15, 0.075)), {{upper, lower}, 0.12 * u, 0.062 * u, 0.9}));
   leg.limbs.push_back(make_foot(m, a));
   return leg;
 }

@@ -34,46 +34,44 @@ Limb make_trunk(const MannequinMeasures& m, const Armature& a) {
   const auto traits = [&](double blend) { return FormTraits{spine, blend * u, detail, 0.75}; };
   const Vec3 x = Vec3::UnitX(), z = Vec3::UnitZ();
   Limb trunk;
-  // Ribcage: an egg that leans back.
+  // One hull from the crotch to the pit of the neck, with the S of the spine in its back: pelvis forward, small of the
+  // back hollow, ribcage leaning back. Front and back are given as they stand in the profile.
+  const auto hull = [&](double y, double side, double front, double back, double wide, double square) {
+    const double middle = -0.05;  // a straight axis: where it bends the outline would crease
+    return t.section(y, middle, side, front - middle, middle - back, wide, square);
+  };
   trunk.forms.push_back(make_form(
-      Loft(
-          {t.section(5.30, 0.03, 0.40, 0.26, 0.26, chest), t.section(5.58, 0.01, 0.53, 0.36, 0.36, chest, 0.1),
-           t.section(5.95, -0.03, 0.61, 0.41, 0.43, chest, 0.25), t.section(6.25, -0.07, 0.57, 0.36, 0.43, chest, 0.25),
-           t.section(6.50, -0.11, 0.42, 0.25, 0.34, chest), t.section(6.66, -0.13, 0.22, 0.15, 0.20, chest)},
-          x, z, 0.10 * u, 0.05 * u),
+      Loft({hull(4.24, 0.60, 0.29, -0.37, hips, 0.1), hull(4.45, 0.655, 0.34, -0.40, hips, 0.2),
+            hull(4.72, 0.605, 0.35, -0.345, hips, 0.2), hull(4.95, 0.525, 0.345, -0.27, 0.6 * hips + 0.4 * waist, 0.15),
+            hull(5.18, 0.48, 0.33, -0.235, waist, 0.1), hull(5.45, 0.51, 0.335, -0.27, 0.4 * waist + 0.6 * chest, 0.1),
+            hull(5.80, 0.59, 0.36, -0.375, chest, 0.15), hull(6.12, 0.655, 0.37, -0.45, chest, 0.2),
+            hull(6.36, 0.615, 0.28, -0.445, chest, 0.2), hull(6.55, 0.40, 0.11, -0.37, chest, 0.1),
+            hull(6.74, 0.15, 0.00, -0.26, chest, 0.0)},
+           x, z, 0.25 * u, 0.06 * u),
       traits(0.0)));
-  // Waist.
-  trunk.forms.push_back(make_form(Loft({t.section(4.35, -0.01, 0.46, 0.32, 0.30, hips),
-                                        t.section(4.80, 0.01, 0.46, 0.34, 0.27, 0.5 * (waist + hips)),
-                                        t.section(5.10, 0.01, 0.43, 0.31, 0.25, waist),
-                                        t.section(5.40, 0.01, 0.44, 0.30, 0.28, 0.5 * (waist + chest)),
-                                        t.section(5.75, -0.01, 0.46, 0.32, 0.32, chest)},
-                                       x, z, 0.1 * u, 0.1 * u),
-                                  traits(0.16)));
-  // Pelvis: a bowl.
+  // Ribcage: an egg that stands out of the hull below the breast, so that its arch reads.
   trunk.forms.push_back(make_form(
-      Loft({t.section(4.02, -0.04, 0.20, 0.16, 0.18, hips), t.section(4.18, -0.04, 0.46, 0.27, 0.32, hips, 0.1),
-            t.section(4.42, -0.03, 0.62, 0.35, 0.38, hips, 0.2), t.section(4.68, -0.01, 0.58, 0.36, 0.33, hips, 0.15),
-            t.section(4.86, 0.00, 0.47, 0.31, 0.26, hips)},
-           x, z, 0.06 * u, 0.06 * u),
-      traits(0.14)));
-  FormTraits glute{{spine[0], upper_leg}, 0.12 * u, detail, 1.2};
+      Ellipsoid(t.at(0.0, 5.98, -0.035), u * Vec3(0.56 * chest, 0.74, 0.43 * m.trunk_thick), turned(-9.0, 0.0, 0.0)),
+      traits(0.07)));
+  // Hip bones in front, seats behind.
+  trunk.forms.push_back(make_form(
+      Ellipsoid(t.at(0.42 * hips, 4.74, 0.11), u * Vec3(0.10, 0.13, 0.13 * m.trunk_thick), turned(0.0, 30.0, -28.0)),
+      {{spine[0], spine[1]}, 0.16 * u, detail, 0.9}));
+  const FormTraits seat{{spine[0], upper_leg}, 0.16 * u, detail, 1.3};
   trunk.forms.push_back(
-      make_form(Ellipsoid(t.at(0.30 * hips, 4.22, -0.22),
-                          u * Vec3(0.28 * (0.4 + 0.6 * hips), 0.33, 0.27 * m.trunk_thick), turned(10.0, 0.0, 0.0)),
-                glute));
-  // Chest muscle, from the breastbone to the armpit.
-  FormTraits pectoral{{spine[3], shoulder}, 0.10 * u, detail, 2.0};
+      make_form(Ellipsoid(t.at(0.31 * hips, 4.20, -0.235),
+                          u * Vec3(0.27 * (0.4 + 0.6 * hips), 0.33, 0.25 * m.trunk_thick), turned(14.0, 0.0, 0.0)),
+                seat));
+  // Chest muscle from the breastbone to the armpit, shoulder blade.
+  const FormTraits flank{{spine[3], shoulder}, 0.20 * u, detail, 2.0};
   trunk.forms.push_back(
-      make_form(Ellipsoid(t.at(0.30 * chest, 6.13, 0.22), u * Vec3(0.34 * chest, 0.22, 0.15 * m.trunk_thick),
-                          turned(-14.0, 14.0, 8.0)),
-                pectoral));
-  // The back's broad muscle, which makes the taper from the armpit to the waist.
-  trunk.forms.push_back(make_form(Loft({oval_section(t.at(0.40 * waist, 5.25, -0.10), 0.07 * u, 0.12 * u),
-                                        oval_section(t.at(0.53 * chest, 5.85, -0.14), 0.12 * u, 0.2 * u),
-                                        oval_section(t.at(0.60 * chest, 6.28, -0.14), 0.13 * u, 0.18 * u)},
-                                       x, z),
-                                  traits(0.14)));
+      make_form(Ellipsoid(t.at(0.31 * chest, 6.15, 0.235), u * Vec3(0.37 * chest, 0.225, 0.135 * m.trunk_thick),
+                          turned(-20.0, 18.0, 12.0)),
+                flank));
+  trunk.forms.push_back(
+      make_form(Ellipsoid(t.at(0.34 * chest, 6.16, -0.345), u * Vec3(0.22 * chest, 0.34, 0.09 * m.trunk_thick),
+                          turned(-13.0, -18.0, 12.0)),
+                flank));
   // Neck, and the slope from it to the shoulder.
   const double neck = u * m.trunk_thick, top = m.chin + 0.22 * m.head;
   trunk.forms.push_back(make_form(Loft({oval_section(t.at(0.0, 6.42, -0.14), 0.30 * neck, 0.28 * neck),
@@ -82,11 +80,17 @@ Limb make_trunk(const MannequinMeasures& m, const Armature& a) {
                                         oval_section(Vec3(0.0, top, -0.03 * u), 0.23 * neck, 0.25 * neck)},
                                        x, z),
                                   {{spine[3], spine[4], a.find("head")}, 0.16 * u, detail, 0.9}));
+  // Collar bone.
   const double acromion = a.position(a.find("leftUpperArm")).x() / u;
+  trunk.forms.push_back(make_form(Loft({round_section(t.at(0.06, 6.53, 0.095), 0.05 * u),
+                                        round_section(t.at(0.40 * acromion, 6.565, 0.065), 0.045 * u),
+                                        round_section(t.at(0.86 * acromion, 6.59, -0.05), 0.05 * u)},
+                                       Vec3::UnitY(), z),
+                                  {{spine[3], shoulder}, 0.11 * u, detail, 2.5}));
   FormTraits trapezius{{spine[3], shoulder}, 0.20 * u, detail, 2.5};
-  trunk.forms.push_back(make_form(Loft({oval_section(t.at(0.10, 6.74, -0.16), 0.12 * u, 0.10 * u),
-                                        oval_section(t.at(0.5 * acromion, 6.56, -0.15), 0.13 * u, 0.10 * u),
-                                        oval_section(t.at(0.94 * acromion, 6.50, -0.10), 0.13 * u, 0.10 * u)},
+  trunk.forms.push_back(make_form(Loft({oval_section(t.at(0.10, 6.84, -0.16), 0.13 * u, 0.10 * u),
+                                        oval_section(t.at(0.45 * acromion, 6.605, -0.155), 0.15 * u, 0.10 * u),
+                                        oval_section(t.at(0.92 * acromion, 6.52, -0.10), 0.15 * u, 0.10 * u)},
                                        z, Vec3::UnitY()),
                                   trapezius));
   return trunk;

@@ -77,10 +77,16 @@ class Grid {
     values_.assign(
         static_cast<std::size_t>(count_[0]) * static_cast<std::size_t>(count_[1]) * static_cast<std::size_t>(count_[2]),
         std::nanf(""));
+    marched_.assign(values_.size(), false);
   }
 
   Triangulation march() {
     march_block({0, 0, 0}, {count_[0] - 1, count_[1] - 1, count_[2] - 1});
+    while (!beyond_.empty()) {
+      const Index cell = beyond_.back();
+      beyond_.pop_back();
+      march_cell(cell[0], cell[1], cell[2]);
+    }
     return std::move(result_);
   }
 
@@ -103,7 +109,7 @@ class Grid {
   /// The cells from `low` up to `high`, unless the surface is far from all of them; in halves while they are many.
   void march_block(const Index& low, const Index& high) {
     const Vec3 a = at(low[0], low[1], low[2]), b = at(high[0], high[1], high[2]);
-    // The field is no exact distance: the margin of 1.6 is twice what has been seen to lose a piece.
+    // The field is no exact distance, hence the margin; what it still hides is reached from the cells beside it.
     if (std::abs(surface_.sample(0.5 * (a + b)).value) > 0.8 * (b - a).norm()) return;
     std::size_t widest = 0;
     for (std::size_t axis = 1; axis < 3; ++axis) {
@@ -140,11 +146,22 @@ class Grid {
   }
 
   void march_cell(int i, int j, int k) {
+    if (marched_[node(i, j, k)]) return;
+    marched_[node(i, j, k)] = true;
     int inside = 0;
     for (int c = 0; c < 8; ++c) {
       if (value(i + (c & 1), j + (c >> 1 & 1), k + (c >> 2 & 1)) < 0.0) inside |= 1 << c;
     }
     if (inside == 0 || inside == 255) return;
+    for (int side = 0; side < 6; ++side) {
+      Index cell{i, j, k};
+      int& moved = cell[static_cast<std::size_t>(side / 2)];
+      moved += side % 2 == 0 ? -1 : 1;
+      if (moved < 0 || moved + 1 >= count_[side / 2] || marched_[node(cell[0], cell[1], cell[2])]) continue;
+      int in = 0;
+      for (const int c : kFaces[side]) in += inside >> c & 1;
+      if (in != 0 && in != 4) beyond_.push_back(cell);
+    }
     // Each crossed edge (named by its two corners, 8 * a + b with a < b) leads on to one other within the cell.
     int next[64];
     std::fill(std::begin(next), std::end(next), -1);
@@ -212,7 +229,9 @@ class Grid {
   const ImplicitSurface& surface_;
   std::vector<double> planes_[3];
   int count_[3] = {0, 0, 0};
-  std::vector<float> values_;
+  std::vector<float> values_;  // per node; not a number: not asked for yet
+  std::vector<bool> marched_;  // per cell, by its lowest node
+  std::vector<Index> beyond_;  // cells that the surface goes on into
   std::unordered_map<std::size_t, int> crossings_;
   std::vector<int> loop_, corners_;
   Triangulation result_;

@@ -19,13 +19,21 @@ struct Vertex {
 
 class Remesher {
  public:
-  Remesher(const ImplicitSurface& surface, const Triangulation& mesh)
+  Remesher(const ImplicitSurface& surface, const Triangulation& mesh, int most_vertices)
       : surface_(surface), edges_(static_cast<int>(mesh.positions.size()), mesh.triangles) {
     for (int v = 0; v < std::ssize(mesh.positions); ++v) {
       vertices_.push_back({mesh.positions[static_cast<std::size_t>(v)]});
       vertices_.back().on_rim = edges_.is_vertex_alive(v) && edges_.is_on_rim(v);
     }
     for (Vertex& v : vertices_) project(v);
+    // An equilateral mesh with edges of length l has a vertex per sqrt(3) / 2 l^2.
+    double expected = 0.0;
+    for (const auto& [a, b, c] : mesh.triangles) {
+      const double length = (vertex(a).length + vertex(b).length + vertex(c).length) / 3.0;
+      expected += 0.5 * area_vector(a, b, c).norm() / (0.866 * length * length);
+    }
+    scale_ = std::max(1.0, std::sqrt(expected / most_vertices));
+    for (Vertex& v : vertices_) v.length *= scale_;
   }
 
   Triangulation run(const RemeshOptions& options) {
@@ -62,7 +70,7 @@ class Remesher {
       Vec3 gradient = field.gradient;
       if (v.on_rim) gradient.x() = 0.0;
       const double steepness = gradient.squaredNorm();
-      v.length = field.detail;
+      v.length = scale_ * field.detail;
       if (steepness < 1e-4) break;
       const double reach = field.detail / std::sqrt(steepness);
       v.position -= std::clamp(field.value / steepness, -reach, reach) * gradient;
@@ -185,7 +193,7 @@ class Remesher {
         if (number < 0) {
           number = static_cast<int>(result.positions.size());
           result.positions.push_back(vertex(v).position);
-          if (vertex(v).on_rim) result.positions.back().x() = 0.0;
+          if (surface_.mirrored() && vertex(v).on_rim) result.positions.back().x() = 0.0;
         }
         v = number;
       }
@@ -194,6 +202,7 @@ class Remesher {
   }
 
   const ImplicitSurface& surface_;
+  double scale_ = 1.0;
   HalfEdges edges_;
   std::vector<Vertex> vertices_;
   std::vector<int> around_;
@@ -202,7 +211,7 @@ class Remesher {
 }  // namespace
 
 Triangulation remesh(const ImplicitSurface& surface, const Triangulation& mesh, const RemeshOptions& options) {
-  return Remesher(surface, mesh).run(options);
+  return Remesher(surface, mesh, options.most_vertices).run(options);
 }
 
 }  // namespace croquis

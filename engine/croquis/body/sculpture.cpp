@@ -46,4 +46,12 @@ Part build_part(Sculpture sculpture, const Armature& armature) {
   return part;
 }
 
+Character assemble(std::string name, const Armature& armature, Sculpture sculpture) {
+  const Skeleton skeleton = armature.skeleton();
+  Character character{std::move(name), skeleton, rest_pose(skeleton), {}, Vec3::UnitZ(), {}, {}, std::nullopt, {},
+                      nullptr,         {}};
+  character.parts.push_back(build_part(std::move(sculpture), armature));
+  return character;
+}
+
 }  // namespace croquis

@@ -22,4 +22,7 @@ struct Sculpture {
 /// Meshes the surface, makes its normals and hangs it on the armature's joints.
 [[nodiscard]] Part build_part(Sculpture sculpture, const Armature& armature);
 
+/// A character of one part, standing in its armature's rest pose, facing +Z, no humanoid.
+[[nodiscard]] Character assemble(std::string name, const Armature& armature, Sculpture sculpture);
+
 }  // namespace croquis

@@ -63,17 +63,20 @@ Section oval_section(const Vec3& center, double side, double front_plus, double 
 Loft::Loft(std::vector<Section> sections, const Vec3& side, const Vec3& front, double cap_start, double cap_end)
     : sections_(std::move(sections)), cap_{cap_start, cap_end} {
   const std::size_t count = sections_.size();
-  std::vector<Vec3> sides(count), fronts(count);
+  std::vector<Vec3> normals(count), sides(count), fronts(count);
   std::vector<double> lengths(count - 1);
+  double handedness = 1.0;
   for (std::size_t i = 0; i + 1 < count; ++i) lengths[i] = (sections_[i + 1].center - sections_[i].center).norm();
   for (std::size_t i = 0; i < count; ++i) {
     Vec3 tangent = Vec3::Zero();
     if (i > 0) tangent += (sections_[i].center - sections_[i - 1].center).normalized();
     if (i + 1 < count) tangent += (sections_[i + 1].center - sections_[i].center).normalized();
     tangent.normalize();
-    fronts[i] = orthogonal_part(front, tangent);
-    sides[i] = tangent.cross(fronts[i]);
-    if (sides[i].dot(side) < 0.0) sides[i] = -sides[i];
+    normals[i] = tangent;
+    sides[i] = orthogonal_part(side, tangent);
+    fronts[i] = tangent.cross(sides[i]);
+    if (i == 0) handedness = fronts[i].dot(front) < 0.0 ? -1.0 : 1.0;
+    fronts[i] *= handedness;
   }
   const auto slope = [&](std::size_t i, int which) {  // per metre; flat at the ends, where the caps begin
     if (i == 0 || i + 1 == count) return 0.0;
@@ -91,6 +94,7 @@ Loft::Loft(std::vector<Section> sections, const Vec3& side, const Vec3& front, d
     piece.along = sections_[i + 1].center - sections_[i].center;
     piece.inverse_length2 = 1.0 / piece.along.squaredNorm();
     for (std::size_t end = 0; end < 2; ++end) {
+      piece.normal[end] = normals[i + end];
       piece.side[end] = sides[i + end];
       piece.front[end] = fronts[i + end];
       piece.square[end] = sections_[i + end].square;
@@ -113,15 +117,32 @@ Loft::Loft(std::vector<Section> sections, const Vec3& side, const Vec3& front, d
 }
 
 Loft::Nearest Loft::nearest(const Vec3& point) const {
-  Nearest best;
-  best.distance2 = std::numeric_limits<double>::max();
-  for (const Piece& piece : pieces_) {
+  std::size_t best = 0;
+  double least = std::numeric_limits<double>::max();
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    const Piece& piece = pieces_[i];
     const Vec3 d = point - piece.start;
     const double s = std::clamp(d.dot(piece.along) * piece.inverse_length2, 0.0, 1.0);
     const double distance2 = (d - s * piece.along).squaredNorm();
-    if (distance2 < best.distance2) best = {&piece, s, distance2};
+    if (distance2 < least) {
+      best = i;
+      least = distance2;
+    }
   }
-  return best;
+  // Where the axis bends, two pieces meet in the plane of their section: without this the outline would crease there.
+  const auto before = [&](std::size_t i, std::size_t end) {
+    const Piece& piece = pieces_[i];
+    const Vec3 d = end == 0 ? Vec3(point - piece.start) : Vec3(point - piece.start - piece.along);
+    return d.dot(piece.normal[end]);
+  };
+  if (best + 1 < pieces_.size() && before(best, 1) > 0.0) {
+    ++best;
+  } else if (best > 0 && before(best, 0) < 0.0) {
+    --best;
+  }
+  const double from_start = before(best, 0), from_end = before(best, 1);
+  const double apart = from_start - from_end;
+  return {&pieces_[best], apart > kTiny ? std::clamp(from_start / apart, 0.0, 1.0) : from_start < 0.0 ? 0.0 : 1.0};
 }
 
 ShapeSample Loft::sample(const Vec3& point) const {
@@ -132,11 +153,11 @@ ShapeSample Loft::sample(const Vec3& point) const {
   const Vec3 front = (1.0 - s) * piece.front[0] + s * piece.front[1];
   const Vec3 tangent = piece.along * std::sqrt(piece.inverse_length2);
   const Vec3 offset = point - piece.start - s * piece.along;
-  const double u = offset.dot(side), v = offset.dot(front), w = offset.dot(tangent);
+  const bool first = at.piece == &pieces_.front() && s <= 0.0, last = at.piece == &pieces_.back() && s >= 1.0;
+  const double u = offset.dot(side), v = offset.dot(front), w = first || last ? offset.dot(tangent) : 0.0;
   const Vec4& side_radius = piece.radius[u < 0.0 ? 1 : 0];
   const Vec4& front_radius = piece.radius[v < 0.0 ? 3 : 2];
   const double a = std::max(cubic(side_radius, s), 1e-4), b = std::max(cubic(front_radius, s), 1e-4);
-  const bool first = at.piece == &pieces_.front() && s <= 0.0, last = at.piece == &pieces_.back() && s >= 1.0;
   const double c = first ? cap_[0] : last ? cap_[1] : 0.5 * (a + b);
   const double x = u / a, y = v / b, z = w / std::max(c, 1e-4);
   const double xx = x * x, yy = y * y, zz = z * z;
@@ -156,7 +177,8 @@ ShapeSample Loft::sample(const Vec3& point) const {
   const Vec3 gradient = (gx / a) * side + (gy / b) * front + along * tangent;
   const double steepness = gradient.norm();
   if (steepness < kTiny) return {-std::min(a, b), front};
-  return {(length - 1.0) / steepness, gradient / steepness};
+  // Deep inside a flat shape the estimate is far too large: no point is deeper than the least radius.
+  return {std::max((length - 1.0) / steepness, -std::min({a, b, c})), gradient / steepness};
 }
 
 Box Loft::box() const {
@@ -189,7 +211,7 @@ ShapeSample Ellipsoid::sample(const Vec3& point) const {
   if (length < kTiny) return {-radii_.minCoeff(), axes_.col(1)};
   const Vec3 gradient = scaled.cwiseQuotient(radii_) / length;
   const double steepness = gradient.norm();
-  return {(length - 1.0) / steepness, axes_ * (gradient / steepness)};
+  return {std::max((length - 1.0) / steepness, -radii_.minCoeff()), axes_ * (gradient / steepness)};
 }
 
 Box Ellipsoid::box() const {

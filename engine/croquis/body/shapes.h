@@ -44,9 +44,10 @@ struct Section {
 /// sections as a smooth cubic, the ends are closed by half-ellipsoids.
 class Loft {
  public:
-  /// At least two sections at different places. `side` and `front` need only be roughly orthogonal to the axis; each
-  /// section turns them to be so exactly. `cap_*` is how far the rounded ends reach beyond the first and the last
-  /// section; negative: the section's mean radius.
+  /// At least two sections at different places. `side` may nowhere run along the axis, which may bend, but not by more
+  /// than its radius allows; each section turns it to be orthogonal to the axis exactly. `front` says which way the
+  /// other direction points at the first section. `cap_*` is how far the rounded ends reach beyond the first and the
+  /// last section; negative: the section's mean radius.
   Loft(std::vector<Section> sections, const Vec3& side, const Vec3& front, double cap_start = -1.0,
        double cap_end = -1.0);
 
@@ -60,14 +61,14 @@ class Loft {
   struct Piece {  // between two sections; radii are cubics in the local parameter, 0..1
     Vec3 start, along;
     double inverse_length2 = 0.0;
+    Vec3 normal[2];  // of the planes of its two sections, along the axis
     Vec3 side[2], front[2];
     Vec4 radius[4];  // coefficients of s^0..s^3 for side+, side-, front+, front-
     double square[2] = {0.0, 0.0};
   };
   struct Nearest {
     const Piece* piece = nullptr;
-    double s = 0.0;  ///< on the piece, 0..1
-    double distance2 = 0.0;
+    double s = 0.0;  ///< on the piece, 0..1: where the plane through the point lies between those of its sections
   };
   [[nodiscard]] Nearest nearest(const Vec3& point) const;
 
