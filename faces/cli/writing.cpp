@@ -2,6 +2,7 @@
 #include "cli/writing.h"
 
 #include "croquis/base/error.h"
+#include "croquis/edit/frame.h"
 
 namespace croquis::cli {
 
@@ -14,7 +15,9 @@ WrittenFile to_file(const Project& project, const std::string& format, const std
     return {write_project(project), {}};
   }
   const Actor& actor = project.actors.front();
-  return write_character(*actor.character, actor.pose, format, file_name, options);
+  WriteOptions complete = options;
+  if (options.form == PoseForm::baked) complete.baked = bake_parts(*actor.character, actor.pose);
+  return write_character(*actor.character, actor.pose, format, file_name, complete);
 }
 
 std::vector<std::string> notices_for(const Character& character, const std::string& format, PoseForm form) {

@@ -129,7 +129,7 @@ std::string to_utf8(std::string_view text) {
 std::string closest_word(std::string_view word, const std::vector<std::string>& candidates) {
   const std::string wanted = to_lower(word);
   std::string best;
-  int best_distance = 1 + static_cast<int>(wanted.size()) / 3;  // farther than a third of the word is no suggestion
+  int best_distance = 2 + static_cast<int>(wanted.size()) / 4;  // two letters changed places count as two
   for (const std::string& candidate : candidates) {
     const std::string other = to_lower(candidate);
     std::vector<int> row(other.size() + 1);

@@ -7,6 +7,7 @@
 
 #include "croquis/base/error.h"
 #include "croquis/base/text.h"
+#include "croquis/skinning/skinning.h"
 
 namespace croquis {
 namespace {
@@ -44,24 +45,36 @@ Pose start_pose_of(const Character& source, const Character& target) {
   const Skeleton& from = source.skeleton;
   const Skeleton& to = target.skeleton;
   const std::vector<int> from_joints = lasting_joints(from), to_joints = lasting_joints(to);
-  std::vector<int> place_of(static_cast<std::size_t>(from.joint_count()), -1);  // joint of `from` -> joint of `to`
-  Pose pose = rest_pose(to);
-  for (std::size_t i = 0; i < std::min(from_joints.size(), to_joints.size()); ++i) {
-    const int a = from_joints[i], b = to_joints[i];
-    const int parent = from.parent(a) < 0 ? -1 : place_of[static_cast<std::size_t>(from.parent(a))];
-    if (from.name(a) != to.name(b) || parent != to.parent(b)) {
-      throw_invalid_argument("not the same skeleton: joint " + shown(from, a) + " of the start pose stands where " +
-                             shown(to, b) + " is wanted" +
-                             (from.name(a) == to.name(b) ? ", under another parent" : ""));
-    }
-    place_of[static_cast<std::size_t>(a)] = b;
-    pose.local[static_cast<std::size_t>(b)] = source.start.local[static_cast<std::size_t>(a)];
-  }
   if (from_joints.size() != to_joints.size()) {
     throw_invalid_argument("not the same skeleton: the start pose has " + std::to_string(from_joints.size()) +
                            " joints, wanted " + std::to_string(to_joints.size()));
   }
+  std::vector<int> place_of(static_cast<std::size_t>(from.joint_count()), -1);  // joint of `from` -> joint of `to`
+  std::vector<bool> taken(static_cast<std::size_t>(to.joint_count()), false);
+  Pose pose = rest_pose(to);
+  for (const int a : from_joints) {
+    // Programs order siblings as they like: the same name under the same parent is the same joint.
+    const int parent = from.parent(a) < 0 ? -1 : place_of[static_cast<std::size_t>(from.parent(a))];
+    const auto same = std::find_if(to_joints.begin(), to_joints.end(), [&](int b) {
+      return !taken[static_cast<std::size_t>(b)] && to.parent(b) == parent && to.name(b) == from.name(a);
+    });
+    if (same == to_joints.end()) {
+      throw_invalid_argument("not the same skeleton: joint " + shown(from, a) +
+                             " of the start pose has no counterpart under the same parent");
+    }
+    taken[static_cast<std::size_t>(*same)] = true;
+    place_of[static_cast<std::size_t>(a)] = *same;
+    pose.local[static_cast<std::size_t>(*same)] = source.start.local[static_cast<std::size_t>(a)];
+  }
   return pose;
+}
+
+std::vector<BakedPart> bake_parts(const Character& character, const Pose& pose) {
+  std::vector<BakedPart> baked;
+  for (PosedPart& part : pose_character(character, pose)) {
+    baked.push_back({std::move(part.positions), std::move(part.normals), std::move(part.tangents), {}});
+  }
+  return baked;
 }
 
 }  // namespace croquis

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
+#include "croquis/io/character_file.h"
 #include "croquis/project/character.h"
 
 namespace croquis {
@@ -13,5 +16,8 @@ namespace croquis {
 /// same parents (End Sites, which one program writes and another does not, may be missing on either side). Throws
 /// invalid_argument that names the first joint that differs.
 [[nodiscard]] Pose start_pose_of(const Character& source, const Character& target);
+
+/// What a pose makes of each part's vertices, for a file that holds the bent mesh itself (PoseForm::baked).
+[[nodiscard]] std::vector<BakedPart> bake_parts(const Character& character, const Pose& pose);
 
 }  // namespace croquis
