@@ -3,11 +3,12 @@
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 FUZZ_SECONDS ?= 600
 
-.PHONY: help demo build test bench bench-lines fuzz format clean
+.PHONY: help demo build studio test bench bench-lines fuzz format clean
 help:
 	@echo 'make demo     build the program; pose the mannequin along a drawn line: out/demo.glb and out/demo.png'
 	@echo 'make build    build the program: build/release/croquis'
 	@echo 'make test     build and run every test: native, with sanitizers, as WebAssembly, lint, format, fuzz'
+	@echo 'make studio   build the drawing table for the browser and serve it on this machine'
 	@echo 'make bench    build and run the benchmarks'
 	@echo 'make bench-lines  how near the methods of posing come to poses of real people'
 	@echo 'make fuzz     fuzz each reader for FUZZ_SECONDS=$(FUZZ_SECONDS) seconds'
@@ -29,6 +30,11 @@ demo: build
 test:
 	@tools/setup.sh program tests npm
 	@tools/test.sh $(JOBS)
+
+studio:
+	@tools/setup.sh program tests npm
+	@tools/build_studio.sh $(JOBS)
+	@cd faces/studio && npx vite preview --outDir ../../build/studio --host 127.0.0.1
 
 bench:
 	@tools/setup.sh program bench

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+import { effect } from '@preact/signals';
+import { render } from 'preact';
+import { startEngine } from './engine/client';
+import { t } from './i18n/strings';
+import { openJournal } from './model/journal';
+import './model/prefs';
+import { Studio } from './studio';
+import type { PointerSample } from './tools/gestures';
+import { dialog, keyOf, makeActions } from './ui/actions';
+import { App } from './ui/app';
+import { startMeter } from './ui/meter';
+import './ui/style.css';
+
+const element = <T extends HTMLElement>(id: string): T => document.getElementById(id) as T;
+
+function sampleOf(event: PointerEvent, space: boolean): PointerSample {
+  const frame = element('table').getBoundingClientRect();
+  return {
+    id: event.pointerId,
+    type: event.pointerType,
+    button: event.button,
+    x: event.clientX - frame.left,
+    y: event.clientY - frame.top,
+    time: event.timeStamp,
+    pressure: event.pressure || 0.5,
+    alt: event.altKey,
+    shift: event.shiftKey,
+    space,
+  };
+}
+
+function listen(studio: Studio): void {
+  const canvas = element<HTMLCanvasElement>('table');
+  const { gestures } = studio;
+  let space = false;
+  const sample = (event: PointerEvent) => sampleOf(event, space);
+  canvas.addEventListener('pointerdown', (event) => {
+    if (gestures.pointerDown(sample(event))) canvas.setPointerCapture(event.pointerId);
+    canvas.focus({ preventScroll: true });
+  });
+  canvas.addEventListener('pointermove', (event) => {
+    const all = event.getCoalescedEvents?.() ?? [];
+    gestures.pointerMove(sample(event), (all.length > 0 ? all : [event]).map(sample));
+  });
+  canvas.addEventListener('pointerup', (event) => gestures.pointerUp(sample(event)));
+  canvas.addEventListener('pointercancel', (event) => gestures.pointerCancel(sample(event)));
+  canvas.addEventListener('contextmenu', (event) => event.preventDefault());
+  canvas.addEventListener('wheel', (event) => {
+    event.preventDefault();
+    gestures.wheel(event.deltaY);
+  }, { passive: false });
+
+  const actions = makeActions(studio);
+  const byKey = new Map(actions.flatMap((action) => action.keys.map((key) => [key, action] as const)));
+  window.addEventListener('keydown', (event) => {
+    const inText = event.target instanceof HTMLInputElement && !/range|checkbox/.test(event.target.type);
+    if (event.key === ' ' && (event.target === canvas || event.target === document.body)) {
+      space = true;
+      event.preventDefault();
+    }
+    if (event.key === 'Escape') gestures.cancel();
+    const action = byKey.get(keyOf(event));
+    const plain = !event.ctrlKey && !event.metaKey && !event.altKey;
+    if (!action || inText || dialog.value !== 'none' || (plain && event.target instanceof HTMLSelectElement)) return;
+    event.preventDefault();
+    void action.run();
+  });
+  window.addEventListener('keyup', (event) => {
+    if (event.key === ' ') space = false;
+  });
+  window.addEventListener('blur', () => (space = false));
+
+  window.addEventListener('dragover', (event) => {
+    event.preventDefault();
+    document.body.classList.add('dropping');
+  });
+  window.addEventListener('dragleave', (event) => {
+    if (!event.relatedTarget) document.body.classList.remove('dropping');
+  });
+  window.addEventListener('drop', async (event) => {
+    event.preventDefault();
+    document.body.classList.remove('dropping');
+    for (const file of event.dataTransfer?.files ?? []) await studio.openFile(file);
+  });
+
+  new ResizeObserver(() => studio.resize(canvas.clientWidth, canvas.clientHeight)).observe(canvas);
+  render(<App studio={studio} actions={actions} />, element('panels'));
+}
+
+async function start(): Promise<void> {
+  const backdrop = element<HTMLDivElement>('backdrop');
+  const journal = await openJournal(() => studio?.table.tell(t('storageFailed'), 'error'));
+  let studio: Studio | null = null;
+  try {
+    studio = new Studio(startEngine(), journal, element('table'), element('glass'));
+  } catch (error) {
+    element('loading').textContent = `${t('noWebgl')} ${(error as Error).message}`;
+    return;
+  }
+  const ready = studio;
+  effect(() => {
+    const image = ready.backdrop.value;
+    backdrop.style.backgroundImage = image ? `url("${image.url}")` : '';
+    backdrop.style.opacity = String(image?.opacity ?? 0);
+  });
+  listen(ready);
+  ready.resize(element('table').clientWidth, element('table').clientHeight);
+  // Stories and people who script the page look in through this window.
+  Object.assign(window, { croquis: ready });
+  await ready.start();
+  element('loading').hidden = true;
+  document.documentElement.dataset['ready'] = 'true';
+  if (new URLSearchParams(location.search).has('perf')) startMeter(ready, element('panels'));
+  if ('serviceWorker' in navigator && import.meta.env.PROD) await navigator.serviceWorker.register('./service-worker.js');
+}
+
+void start();

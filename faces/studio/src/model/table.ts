@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// The page's mirror of the engine's project, as signals. Nothing here decides: every change is a command that goes to
+// the engine, and what comes back is shown and journalled.
+import { batch, computed, signal } from '@preact/signals';
+import type { Change } from '../engine/messages';
+import type { EngineClient, EngineError } from '../engine/client';
+import type { Command, PoseFrame, Solved, StrokeSettings, TableState } from '../engine/protocol';
+import type { Journal } from './journal';
+
+export const EMPTY_STATE: TableState = {
+  actors: [],
+  strokes: [],
+  settings: { limits: 'anatomical', floor: true, balance: false, root: 'free' },
+  views: [],
+  poses: [],
+  undo: '',
+  redo: '',
+  revision: 0,
+};
+
+export interface Toast {
+  id: number;
+  text: string;
+  kind: 'note' | 'error';
+}
+
+export interface Timing {
+  solve_ms: number;
+  engine_ms: number;
+  transfer_ms: number;
+}
+
+export class Table {
+  readonly state = signal<TableState>(EMPTY_STATE);
+  readonly solved = signal<Solved | null>(null);
+  readonly actor = signal(0);
+  readonly stroke = signal<number | null>(null);
+  readonly joint = signal<number | null>(null);
+  /** Joints picked by hand for the next line, in order. */
+  readonly picked = signal<number[]>([]);
+  readonly drawing = signal<Partial<StrokeSettings>>({ method: 'line', body_line: 'auto' });
+  readonly toasts = signal<Toast[]>([]);
+  readonly busy = signal(0);
+  readonly timings: Timing[] = [];
+  readonly current = computed(() => this.state.value.actors.find((a) => a.id === this.actor.value) ?? null);
+  readonly currentStroke = computed(() => this.state.value.strokes.find((s) => s.id === this.stroke.value) ?? null);
+
+  onFrames: (frames: PoseFrame[]) => void = () => {};
+  onState: (state: TableState) => Promise<void> = async () => {};
+  private nextToast = 1;
+
+  constructor(
+    readonly engine: EngineClient,
+    private readonly journal: Journal,
+  ) {}
+
+  /** Runs a command, shows its outcome and writes it to the journal; a failure is told in words and changes nothing. */
+  async run(command: Command, bytes?: Uint8Array): Promise<Change | null> {
+    this.busy.value += 1;
+    try {
+      const copy = bytes?.slice();
+      const change = await this.engine.commit(command, bytes);
+      await this.accept(change);
+      void this.journal.append({ kind: 'commit', command, ...(copy ? { bytes: copy } : {}) });
+      return change;
+    } catch (error) {
+      this.tell((error as Error).message, 'error');
+      await this.endPreview();
+      return null;
+    } finally {
+      this.busy.value -= 1;
+    }
+  }
+
+  preview(command: Command): void {
+    const sent = performance.now();
+    this.engine.preview(
+      command,
+      (change) => {
+        const elapsed = performance.now() - sent;
+        this.timings.push({ ...change.timing, transfer_ms: Math.max(0, elapsed - change.timing.engine_ms) });
+        if (this.timings.length > 600) this.timings.shift();
+        this.solved.value = change.solved;
+        this.onFrames(change.frames);
+      },
+      (error: EngineError) => {
+        // A line that is still too short to solve is no fault of the person who draws it.
+        if (error.code === 'internal') this.tell(error.message, 'error');
+      },
+    );
+  }
+
+  async endPreview(): Promise<void> {
+    const change = await this.engine.cancelPreview();
+    this.solved.value = null;
+    this.onFrames(change.frames);
+  }
+
+  undo = (): Promise<void> => this.step('undo');
+  redo = (): Promise<void> => this.step('redo');
+
+  /** Plays the journal of an earlier visit; what cannot be played any more is told and left out. */
+  async replay(): Promise<number> {
+    const entries = await this.journal.entries();
+    let played = 0;
+    for (const entry of entries) {
+      try {
+        const change =
+          entry.kind === 'commit' ? await this.engine.commit(entry.command, entry.bytes?.slice()) : await this.engine[entry.kind]();
+        if (change.state) this.state.value = change.state;
+        played += 1;
+      } catch (error) {
+        this.tell((error as Error).message, 'error');
+      }
+    }
+    await this.refresh();
+    return played;
+  }
+
+  async refresh(): Promise<void> {
+    await this.onState(this.state.value);
+    const change = await this.engine.cancelPreview();
+    this.onFrames(change.frames);
+    this.mendSelection();
+  }
+
+  tell(text: string, kind: Toast['kind'] = 'note'): void {
+    const toast = { id: this.nextToast++, text, kind };
+    this.toasts.value = [...this.toasts.value.slice(-2), toast];
+    setTimeout(() => this.dismiss(toast.id), kind === 'error' ? 9000 : 4000);
+  }
+
+  dismiss(id: number): void {
+    this.toasts.value = this.toasts.value.filter((toast) => toast.id !== id);
+  }
+
+  private async step(kind: 'undo' | 'redo'): Promise<void> {
+    const label = this.state.value[kind];
+    if (label === '') return;
+    await this.accept(await this.engine[kind]());
+    void this.journal.append({ kind });
+  }
+
+  private async accept(change: Change): Promise<void> {
+    batch(() => {
+      if (change.state) this.state.value = change.state;
+      this.solved.value = change.solved;
+    });
+    if (change.state) await this.onState(change.state);
+    this.onFrames(change.frames);
+    this.mendSelection();
+  }
+
+  /** What was selected may be gone. */
+  private mendSelection(): void {
+    const { actors, strokes } = this.state.value;
+    batch(() => {
+      if (!actors.some((a) => a.id === this.actor.value)) {
+        this.actor.value = actors[0]?.id ?? 0;
+        this.joint.value = null;
+        this.picked.value = [];
+      }
+      if (!strokes.some((s) => s.id === this.stroke.value)) this.stroke.value = null;
+    });
+  }
+}

@@ -1,0 +1,445 @@
+// SPDX-License-Identifier: MIT
+// The studio without its panels: table, stage, ink and tools put together. Panels and keys call its methods.
+import { effect, signal } from '@preact/signals';
+import * as THREE from 'three';
+import type { EngineClient } from './engine/client';
+import type { ActorInfo, CameraSpec, Command, ExportFormat, PoseFrame, Sample, StrokeInfo, TableState, Vec3 } from './engine/protocol';
+import { t } from './i18n/strings';
+import type { Journal } from './model/journal';
+import { dark, showSkeleton } from './model/prefs';
+import { Table } from './model/table';
+import { DragTool, RotateTool, SelectTool, type BodyContext } from './tools/body_tools';
+import { distanceTo, DrawTool, type DrawContext } from './tools/draw_tool';
+import { Gestures } from './tools/gestures';
+import type { Tool, ToolName } from './tools/tool';
+import { InkLayer, type InkLine, type Marker, toPoints } from './view/ink';
+import { Stage } from './view/stage';
+
+const INK = { light: '#8c2f1b', dark: '#ff9d7a' };
+const INK_QUIET = { light: 'rgba(90,60,45,0.45)', dark: 'rgba(255,220,200,0.4)' };
+const SIDE = { left: '#c2572b', right: '#2f6f9f', middle: '#7a6a58' };
+const ENDS = /Hand$|Foot$|Toes$|^head$/;
+
+export class Studio {
+  readonly table: Table;
+  readonly stage: Stage;
+  readonly ink: InkLayer;
+  readonly gestures: Gestures;
+  readonly tool = signal<ToolName>('draw');
+  readonly drawingNow = signal(false);
+  readonly backdrop = signal<{ url: string; opacity: number } | null>(null);
+  readonly light = signal({ heading: 0.6, elevation: 0.9 });
+  private readonly tools: Record<ToolName, Tool>;
+  private live: { samples: Sample[]; editing: number | null } | null = null;
+  private hovered: number | null = null;
+  private copied: { pose: string } | null = null;
+  private size = { width: 1, height: 1 };
+
+  constructor(engine: EngineClient, journal: Journal, canvas: HTMLCanvasElement, glass: HTMLCanvasElement) {
+    this.table = new Table(engine, journal);
+    this.stage = new Stage(canvas);
+    this.ink = new InkLayer(glass);
+    const body = this.bodyContext();
+    this.tools = {
+      draw: new DrawTool(this.drawContext()),
+      drag: new DragTool(body),
+      rotate: new RotateTool(body),
+      select: new SelectTool(body),
+    };
+    this.gestures = new Gestures({
+      toolDown: (p) => this.active.down(p),
+      toolMove: (ps) => this.active.move(ps),
+      toolUp: (p) => this.active.up(p),
+      toolCancel: () => this.active.cancel(),
+      hover: (p) => this.active.hover?.(p),
+      orbit: (dx, dy) => this.stage.rig.orbit(dx, dy),
+      pan: (dx, dy) => this.stage.rig.pan(dx, dy),
+      zoom: (factor) => this.stage.rig.zoom(factor),
+      undo: () => void this.table.undo(),
+      redo: () => void this.table.redo(),
+    });
+    this.table.onState = (state) => this.follow(state);
+    this.table.onFrames = (frames) => this.showFrames(frames);
+    this.stage.onDrawn = () => this.drawInk();
+    effect(() => {
+      this.stage.setTheme(dark.value ? { paper: '#24211e', ground: '#3a342e', grid: '#4a443c' } : { paper: '#f4efe6', ground: '#fffdf8', grid: '#d8cfbf' });
+    });
+    effect(() => this.stage.setLight(this.light.value.heading, this.light.value.elevation));
+    effect(() => {
+      void [showSkeleton.value, this.tool.value, this.table.stroke.value, this.table.joint.value, this.table.picked.value];
+      this.stage.invalidate();
+    });
+    effect(() => this.stage.showPlane(this.planeNormal()));
+  }
+
+  get active(): Tool {
+    return this.tools[this.tool.value];
+  }
+
+  /** Fetches what an earlier visit left, or sets out the mannequin. */
+  async start(): Promise<void> {
+    const played = await this.table.replay();
+    if (played === 0 || this.table.state.value.actors.length === 0) await this.table.run({ name: 'add_character', character: 'mannequin' });
+    this.frameSelected();
+  }
+
+  resize(width: number, height: number): void {
+    this.size = { width, height };
+    const ratio = Math.min(2, devicePixelRatio || 1);
+    this.stage.resize(width, height, ratio);
+    this.ink.resize(width, height, ratio);
+  }
+
+  choose(tool: ToolName): void {
+    this.gestures.cancel();
+    this.tool.value = tool;
+  }
+
+  /** A step through the readings of the newest line: other body line, other direction, other depth. */
+  async cycle(step: number): Promise<void> {
+    const stroke = this.strokeInHand();
+    const count = this.table.solved.value?.alternatives.length ?? 0;
+    if (!stroke || count < 2) return;
+    const chosen = this.table.solved.value?.chosen ?? 0;
+    await this.chooseAlternative((chosen + step + count) % count);
+  }
+
+  async chooseAlternative(alternative: number): Promise<void> {
+    const stroke = this.strokeInHand();
+    if (stroke) await this.table.run({ name: 'set_stroke', stroke: stroke.id, settings: { alternative } });
+  }
+
+  strokeInHand(): StrokeInfo | null {
+    return this.table.currentStroke.value ?? this.table.state.value.strokes.at(-1) ?? null;
+  }
+
+  async openFile(file: File): Promise<boolean> {
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    const change = await this.table.run({ name: 'open', file: file.name }, bytes);
+    if (!change) return false;
+    const newest = this.table.state.value.actors.at(-1);
+    if (newest) this.table.actor.value = newest.id;
+    this.frameSelected();
+    this.table.tell(t('opened', newest?.name || file.name));
+    return true;
+  }
+
+  async export(format: ExportFormat): Promise<Blob | null> {
+    try {
+      const bytes = await this.table.engine.export(format, this.table.actor.value, { camera: this.stage.rig.toSpec() });
+      return new Blob([bytes as BlobPart]);
+    } catch (error) {
+      this.table.tell((error as Error).message, 'error');
+      return null;
+    }
+  }
+
+  picture(width: number, height: number, transparent: boolean, strokes: boolean): Promise<Blob | null> {
+    const canvas = this.stage.snapshot(width, height, transparent, dark.value ? '#24211e' : '#f4efe6');
+    if (strokes) {
+      const scale = Math.min(width / this.size.width, height / this.size.height);
+      const context = canvas.getContext('2d')!;
+      context.translate((width - this.size.width * scale) / 2, (height - this.size.height * scale) / 2);
+      context.scale(scale, scale);
+      this.drawInk(false);
+      context.drawImage(this.ink.canvas, 0, 0, this.size.width, this.size.height);
+      this.drawInk();
+    }
+    return new Promise((resolve) => canvas.toBlob(resolve, 'image/png'));
+  }
+
+  frameSelected(): void {
+    this.stage.frame(this.table.current.value?.id);
+  }
+
+  /** A view after the current character's own front. */
+  look(view: 'front' | 'side' | 'top' | 'back' | 'threeQuarter', opposite = false): void {
+    const front = this.table.current.value?.front ?? [0, 0, 1];
+    const heading = Math.atan2(front[0], front[2]);
+    const turns = { front: 0, side: Math.PI / 2, top: 0, back: Math.PI, threeQuarter: Math.PI / 5 };
+    const elevation = view === 'top' ? (opposite ? -1 : 1) * (Math.PI / 2) : view === 'threeQuarter' ? 0.25 : 0;
+    this.stage.rig.set({ heading: heading + turns[view] + (opposite && view !== 'top' ? Math.PI : 0), elevation });
+  }
+
+  /** The limb that a joint belongs to: it and everything that hangs on it. */
+  limbOf(joint: number): number[] {
+    const joints = this.table.current.value?.joints ?? [];
+    return joints.flatMap((_, i) => {
+      for (let at = i; at >= 0; at = joints[at]!.parent) if (at === joint) return [i];
+      return [];
+    });
+  }
+
+  async copyPose(): Promise<void> {
+    this.copied = await this.table.engine.query<{ pose: string }>('pose', { actor: this.table.actor.value });
+  }
+
+  async pastePose(flipped: boolean): Promise<void> {
+    if (!this.copied) return this.table.tell(t('nothingCopied'));
+    await this.table.run({ name: 'apply_pose', actor: this.table.actor.value, pose: this.copied.pose, strength: 1, flipped });
+  }
+
+  /** A small picture of each pose of a list, by rendering the character in it. */
+  async thumbnail(pose: string): Promise<string> {
+    const actor = this.table.actor.value;
+    const view = this.stage.characters.get(actor);
+    if (!view) return '';
+    const frame = await this.table.engine.query<{ joints: number[] }>('pose_joints', { actor, pose });
+    return stickPicture(frame.joints, view.info, this.stage.rig.state.heading);
+  }
+
+  private drawContext(): DrawContext {
+    return {
+      editable: () => {
+        const stroke = this.table.currentStroke.value;
+        return stroke && !stroke.hidden && this.isInView(stroke) ? this.onScreen(stroke) : null;
+      },
+      camera: () => this.stage.rig.toSpec(),
+      drawCommand: (samples, camera) => this.drawCommand(samples, camera),
+      preview: (command) => this.table.preview(command),
+      commit: (command) => void this.commitLine(command),
+      cancelPreview: () => void this.table.endPreview(),
+      showInk: (samples, editing) => {
+        this.live = samples ? { samples, editing } : null;
+        this.drawingNow.value = samples !== null;
+        this.drawInk();
+      },
+    };
+  }
+
+  private async commitLine(command: Command): Promise<void> {
+    const change = await this.table.run(command);
+    if (change?.state && command.name === 'draw') this.table.stroke.value = change.state.strokes.at(-1)?.id ?? null;
+  }
+
+  private drawCommand(samples: Sample[], camera: CameraSpec): Command {
+    const picked = this.table.picked.value;
+    const settings = { ...this.table.drawing.value, ...(picked.length > 1 ? { joints: picked, body_line: '' } : {}) };
+    return { name: 'draw', actor: this.table.actor.value, samples, camera, settings };
+  }
+
+  private bodyContext(): BodyContext {
+    const view = () => this.stage.characters.get(this.table.actor.value);
+    return {
+      actor: () => this.table.actor.value,
+      jointAt: (x, y, endsOnly) => this.jointAt(x, y, endsOnly),
+      strokeAt: (x, y) => this.strokeAt(x, y),
+      jointPixel: (joint) => this.stage.rig.project(view()?.joint(joint) ?? new THREE.Vector3()),
+      planeThrough: (joint) => {
+        const through = view()?.joint(joint) ?? new THREE.Vector3();
+        return (x, y) => this.stage.rig.unproject(x, y, through).toArray() as Vec3;
+      },
+      viewAxis: () => this.stage.rig.camera.getWorldDirection(new THREE.Vector3()).negate().toArray() as Vec3,
+      boneAxis: (joint) => {
+        const character = view();
+        const child = character?.info.joints.findIndex((j) => j.parent === joint) ?? -1;
+        if (!character || child < 0) return [0, 1, 0];
+        return character.joint(child).sub(character.joint(joint)).normalize().toArray() as Vec3;
+      },
+      selectJoint: (joint) => (this.table.joint.value = joint),
+      selectStroke: (stroke) => (this.table.stroke.value = stroke),
+      togglePicked: (joint) => {
+        const picked = this.table.picked.value;
+        this.table.picked.value = picked.includes(joint) ? picked.filter((j) => j !== joint) : [...picked, joint];
+      },
+      hoverJoint: (joint) => {
+        if (joint === this.hovered) return;
+        this.hovered = joint;
+        this.drawInk();
+      },
+      preview: (command) => this.table.preview(command),
+      commit: (command) => void this.table.run(command),
+      cancelPreview: () => void this.table.endPreview(),
+    };
+  }
+
+  private jointAt(x: number, y: number, endsOnly: boolean): number | null {
+    const view = this.stage.characters.get(this.table.actor.value);
+    if (!view) return null;
+    let best = { joint: null as number | null, distance: 36 };
+    view.info.joints.forEach((joint, i) => {
+      if (joint.helper || (endsOnly && !isEnd(view.info, i))) return;
+      const at = this.stage.rig.project(view.joint(i));
+      const distance = Math.hypot(at.x - x, at.y - y);
+      if (distance < best.distance) best = { joint: i, distance };
+    });
+    return best.joint;
+  }
+
+  private strokeAt(x: number, y: number): number | null {
+    const near = this.table.state.value.strokes.filter(
+      (stroke) => !stroke.hidden && this.isInView(stroke) && distanceTo(this.onScreen(stroke).samples, { x, y }).distance < 14,
+    );
+    return near.at(-1)?.id ?? null;
+  }
+
+  /** A stroke is shown as drawn only from where it was drawn; from elsewhere it is shown in its plane, quietly. */
+  private isInView(stroke: StrokeInfo): boolean {
+    const now = this.stage.rig.toSpec();
+    const far = (a: Vec3, b: Vec3) => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+    const scale = 1e-3 * far(now.position, now.target);
+    const same = now.projection === stroke.camera.projection && far(now.position, stroke.camera.position) < scale;
+    return same && far(now.target, stroke.camera.target) < scale && now.height_px === stroke.camera.height_px;
+  }
+
+  private onScreen(stroke: StrokeInfo): StrokeInfo {
+    return stroke;
+  }
+
+  private async follow(state: TableState): Promise<void> {
+    const wanted = new Map(state.actors.map((actor) => [actor.id, actor]));
+    for (const [id, view] of [...this.stage.characters]) {
+      const actor = wanted.get(id);
+      if (!actor || actor.palette_size !== view.info.palette_size || JSON.stringify(actor.proportions) !== JSON.stringify(view.info.proportions)) {
+        this.stage.removeCharacter(id);
+      }
+    }
+    for (const actor of state.actors) {
+      if (!this.stage.characters.has(actor.id)) {
+        await this.stage.addCharacter(actor, (part) => this.table.engine.geometry(actor.id, part));
+        const now = await this.table.engine.cancelPreview();
+        this.showFrames(now.frames);
+      }
+    }
+    this.stage.invalidate();
+  }
+
+  private showFrames(frames: PoseFrame[]): void {
+    this.stage.show(frames);
+  }
+
+  private planeNormal(): THREE.Vector3 | null {
+    if (this.table.drawing.value.plane !== 'ground') return null;
+    const away = this.stage.rig.camera.getWorldDirection(new THREE.Vector3());
+    away.y = 0;
+    return away.length() < 1e-3 ? null : away.normalize();
+  }
+
+  private drawInk(helpers = true): void {
+    const theme = dark.value ? 'dark' : 'light';
+    const lines: InkLine[] = [];
+    for (const stroke of this.table.state.value.strokes) {
+      if (stroke.hidden || stroke.id === this.live?.editing) continue;
+      const selected = stroke.id === this.table.stroke.value && helpers;
+      if (this.isInView(stroke)) {
+        const newest = stroke === this.strokeInHand();
+        lines.push({ points: toPoints(stroke.samples), color: newest ? INK[theme] : INK_QUIET[theme], width: 4, handles: selected && this.tool.value !== 'drag' });
+      } else {
+        lines.push({ points: this.anchored(stroke), color: INK_QUIET[theme], width: 2.5, dashed: true });
+      }
+    }
+    if (this.live) lines.push({ points: toPoints(this.live.samples), color: INK[theme], width: 4.5, handles: this.live.editing !== null });
+    const [bones, markers] = helpers ? this.helpers() : [[], []];
+    this.ink.draw(lines, bones as [Marker, Marker, string][], markers as Marker[]);
+  }
+
+  /** A line seen from elsewhere: its points in the plane through the character that faced the pen, projected anew. */
+  private anchored(stroke: StrokeInfo): InkLine['points'] {
+    const camera = cameraOf(stroke.camera);
+    const view = this.stage.characters.get(stroke.actor);
+    const joint = stroke.line.joints[Math.floor(stroke.line.joints.length / 2)] ?? 0;
+    const depth = (view?.joint(joint) ?? new THREE.Vector3()).project(camera).z;
+    return stroke.samples.map(([x, y, , pressure]) => {
+      const ndc = new THREE.Vector3((2 * x) / stroke.camera.width - 1, 1 - (2 * y) / stroke.camera.height_px, depth);
+      const at = this.stage.rig.project(ndc.unproject(camera));
+      return { x: at.x, y: at.y, pressure };
+    });
+  }
+
+  private helpers(): [[Marker, Marker, string][], Marker[]] {
+    const view = this.stage.characters.get(this.table.actor.value);
+    if (!view) return [[], []];
+    const tool = this.tool.value;
+    const chosen = new Set(this.table.picked.value);
+    const line = new Set(this.table.solved.value?.line.joints ?? []);
+    const pins = new Set(view.info.pins.map((pin) => pin.joint));
+    const bones: [Marker, Marker, string][] = [];
+    const markers: Marker[] = [];
+    view.info.joints.forEach((joint, i) => {
+      if (joint.helper) return;
+      const { x, y } = this.stage.rig.project(view.joint(i));
+      const color = SIDE[sideOf(joint.bone || joint.name)];
+      const at: Marker = { x, y, color, radius: 4 };
+      const parent = view.info.joints[joint.parent];
+      if (parent && !parent.helper && (showSkeleton.value || chosen.has(i))) {
+        const from = this.stage.rig.project(view.joint(joint.parent));
+        bones.push([{ x: from.x, y: from.y, color, radius: 3 }, at, color]);
+      }
+      if (chosen.has(i)) markers.push({ ...at, radius: 7, color: '#b3261e' });
+      else if (pins.has(i)) markers.push({ ...at, radius: 7, color: '#2e7d4f' });
+      else if (i === this.hovered || i === this.table.joint.value) markers.push({ ...at, radius: 8, hollow: true });
+      else if (tool === 'drag' && isEnd(view.info, i)) markers.push({ ...at, radius: 6, hollow: true });
+      else if (tool === 'rotate' || tool === 'select') markers.push({ ...at, radius: 3.5, hollow: true });
+      else if (this.drawingNow.value && line.has(i)) markers.push({ ...at, radius: 3.5 });
+    });
+    return [bones, markers];
+  }
+}
+
+function isEnd(info: ActorInfo, joint: number): boolean {
+  const bone = info.joints[joint]!.bone;
+  if (info.joints.some((j) => /Hand$|Foot$/.test(j.bone))) return ENDS.test(bone);
+  return !info.joints.some((j) => j.parent === joint);
+}
+
+function sideOf(name: string): 'left' | 'right' | 'middle' {
+  return /^left|left_|_l$|\.l$/i.test(name) ? 'left' : /^right|right_|_r$|\.r$/i.test(name) ? 'right' : 'middle';
+}
+
+function cameraOf(spec: CameraSpec): THREE.Camera {
+  const aspect = spec.width / spec.height_px;
+  const half = spec.height / 2;
+  const far = 1e3 * Math.hypot(...(spec.position.map((p, i) => p - spec.target[i]!) as Vec3));
+  const camera =
+    spec.projection === 'orthographic'
+      ? new THREE.OrthographicCamera(-half * aspect, half * aspect, half, -half, -far, far)
+      : new THREE.PerspectiveCamera(spec.fov_degrees, aspect, far * 1e-6, far);
+  camera.position.set(...spec.position);
+  camera.up.set(...spec.up);
+  camera.lookAt(...spec.target);
+  camera.updateProjectionMatrix();
+  camera.updateMatrixWorld();
+  return camera;
+}
+
+/** A pose as a small ink figure, seen from the present heading: quick enough to make dozens of. */
+function stickPicture(joints: number[], info: ActorInfo, heading: number): string {
+  const canvas = document.createElement('canvas');
+  canvas.width = canvas.height = 128;
+  const context = canvas.getContext('2d')!;
+  const points = info.joints.map((_, i) => ({
+    x: joints[3 * i]! * Math.cos(heading) - joints[3 * i + 2]! * Math.sin(heading),
+    y: -joints[3 * i + 1]!,
+  }));
+  const drawn = info.joints.map((joint) => !joint.helper);
+  const used = points.filter((_, i) => drawn[i]);
+  const box = {
+    left: Math.min(...used.map((p) => p.x)),
+    right: Math.max(...used.map((p) => p.x)),
+    top: Math.min(...used.map((p) => p.y)),
+    bottom: Math.max(...used.map((p) => p.y)),
+  };
+  const scale = 104 / Math.max(box.right - box.left, box.bottom - box.top, 1e-6);
+  const place = (p: { x: number; y: number }) => ({
+    x: 64 + (p.x - (box.left + box.right) / 2) * scale,
+    y: 64 + (p.y - (box.top + box.bottom) / 2) * scale,
+  });
+  context.lineCap = 'round';
+  info.joints.forEach((joint, i) => {
+    if (!drawn[i] || joint.parent < 0 || !drawn[joint.parent]) return;
+    const [a, b] = [place(points[joint.parent]!), place(points[i]!)];
+    context.strokeStyle = { left: '#b4532a', right: '#2f6f9f', middle: '#4a4038' }[sideOf(joint.bone || joint.name)];
+    context.lineWidth = Math.max(2, Math.min(9, 0.28 * Math.hypot(b.x - a.x, b.y - a.y)));
+    context.beginPath();
+    context.moveTo(a.x, a.y);
+    context.lineTo(b.x, b.y);
+    context.stroke();
+    if (joint.bone === 'head') {
+      context.beginPath();
+      context.arc(b.x, b.y - 5, 7, 0, 7);
+      context.fillStyle = '#4a4038';
+      context.fill();
+    }
+  });
+  return canvas.toDataURL('image/png');
+}

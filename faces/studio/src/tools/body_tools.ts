@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// The tools that take hold of the body itself: drag a hand or foot, rotate a joint, pick joints and lines.
+import type { Command, Quat, Vec3 } from '../engine/protocol';
+import type { PointerSample } from './gestures';
+import type { Tool } from './tool';
+
+export interface BodyContext {
+  actor(): number;
+  /** The joint nearest to a pixel (of all, or only of hands, feet and ends), if near enough. */
+  jointAt(x: number, y: number, endsOnly: boolean): number | null;
+  strokeAt(x: number, y: number): number | null;
+  jointPixel(joint: number): { x: number; y: number };
+  /** Maps pixels to points of the plane that faces the camera through where the joint is now. */
+  planeThrough(joint: number): (x: number, y: number) => Vec3;
+  viewAxis(): Vec3;
+  boneAxis(joint: number): Vec3;
+  selectJoint(joint: number | null): void;
+  selectStroke(stroke: number | null): void;
+  togglePicked(joint: number): void;
+  hoverJoint(joint: number | null): void;
+  preview(command: Command): void;
+  commit(command: Command): void;
+  cancelPreview(): void;
+}
+
+function turn(axis: Vec3, angle: number): Quat {
+  const s = Math.sin(angle / 2);
+  return [axis[0] * s, axis[1] * s, axis[2] * s, Math.cos(angle / 2)];
+}
+
+/** drag.idle -> drag.dragging -> drag.idle */
+export class DragTool implements Tool {
+  private joint: number | null = null;
+  private pointAt: (x: number, y: number) => Vec3 = () => [0, 0, 0];
+  private last: Command | null = null;
+
+  constructor(private readonly context: BodyContext) {}
+
+  get path(): string {
+    return this.joint === null ? 'drag.idle' : 'drag.dragging';
+  }
+
+  hover(p: PointerSample): void {
+    this.context.hoverJoint(this.context.jointAt(p.x, p.y, true));
+  }
+
+  down(p: PointerSample): void {
+    this.joint = this.context.jointAt(p.x, p.y, true);
+    this.last = null;
+    if (this.joint !== null) this.pointAt = this.context.planeThrough(this.joint);
+    this.context.selectJoint(this.joint);
+  }
+
+  move(points: PointerSample[]): void {
+    const p = points.at(-1);
+    if (this.joint === null || !p) return;
+    this.last = { name: 'drag', actor: this.context.actor(), joint: this.joint, target: this.pointAt(p.x, p.y) };
+    this.context.preview(this.last);
+  }
+
+  up(): void {
+    if (this.last) this.context.commit(this.last);
+    this.joint = this.last = null;
+  }
+
+  cancel(): void {
+    if (this.last) this.context.cancelPreview();
+    this.joint = this.last = null;
+  }
+}
+
+/** rotate.idle -> rotate.turning -> rotate.idle; with Shift the joint twists about its bone. */
+export class RotateTool implements Tool {
+  private grabbed: { joint: number; centre: { x: number; y: number }; start: PointerSample; axis: Vec3; twist: boolean } | null = null;
+  private last: Command | null = null;
+
+  constructor(private readonly context: BodyContext) {}
+
+  get path(): string {
+    return this.grabbed === null ? 'rotate.idle' : 'rotate.turning';
+  }
+
+  hover(p: PointerSample): void {
+    this.context.hoverJoint(this.context.jointAt(p.x, p.y, false));
+  }
+
+  down(p: PointerSample): void {
+    const joint = this.context.jointAt(p.x, p.y, false);
+    this.context.selectJoint(joint);
+    this.last = null;
+    if (joint === null) return;
+    const axis = p.shift ? this.context.boneAxis(joint) : this.context.viewAxis();
+    this.grabbed = { joint, centre: this.context.jointPixel(joint), start: p, axis, twist: p.shift };
+  }
+
+  move(points: PointerSample[]): void {
+    const p = points.at(-1);
+    if (!this.grabbed || !p) return;
+    const { joint, centre, start, axis, twist } = this.grabbed;
+    const dx = p.x - start.x;
+    const far = Math.hypot(start.x - centre.x, start.y - centre.y) > 24;
+    const around = Math.atan2(start.y - centre.y, start.x - centre.x) - Math.atan2(p.y - centre.y, p.x - centre.x);
+    const angle = twist ? dx * 0.012 : far ? around : -dx * 0.012;
+    this.last = { name: 'rotate', actor: this.context.actor(), joint, rotation_model: turn(axis, angle) };
+    this.context.preview(this.last);
+  }
+
+  up(): void {
+    if (this.last) this.context.commit(this.last);
+    this.grabbed = this.last = null;
+  }
+
+  cancel(): void {
+    if (this.last) this.context.cancelPreview();
+    this.grabbed = this.last = null;
+  }
+}
+
+/** select.idle: a tap picks a line, or adds a joint to the line picked by hand. */
+export class SelectTool implements Tool {
+  readonly path = 'select.idle';
+  private start: PointerSample | null = null;
+
+  constructor(private readonly context: BodyContext) {}
+
+  hover(p: PointerSample): void {
+    this.context.hoverJoint(this.context.jointAt(p.x, p.y, false));
+  }
+
+  down(p: PointerSample): void {
+    this.start = p;
+  }
+
+  move(): void {}
+
+  up(p: PointerSample): void {
+    const start = this.start;
+    this.start = null;
+    if (!start || Math.hypot(p.x - start.x, p.y - start.y) > 12) return;
+    const stroke = this.context.strokeAt(p.x, p.y);
+    if (stroke !== null) return this.context.selectStroke(stroke);
+    const joint = this.context.jointAt(p.x, p.y, false);
+    this.context.selectJoint(joint);
+    if (joint !== null) this.context.togglePicked(joint);
+    else this.context.selectStroke(null);
+  }
+
+  cancel(): void {
+    this.start = null;
+  }
+}

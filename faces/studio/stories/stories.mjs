@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: MIT
+// What a person does at the table, played in a real browser against the built page. Run by `node --test`.
+import assert from 'node:assert/strict';
+import { readFileSync, writeFileSync, mkdirSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { arc, DATA, distance, launch, ROOT, servePage, Visit } from './table.mjs';
+
+const require = createRequire(import.meta.url);
+let server;
+let browser;
+let url;
+
+before(async () => {
+  server = await servePage();
+  url = `http://127.0.0.1:${server.address().port}/`;
+  browser = await launch();
+});
+
+after(async () => {
+  await browser?.close();
+  server?.close();
+});
+
+/** A C from the hips over the chest to beside the head: asks the trunk to lean. */
+async function lean(visit, dx = 90) {
+  const hips = await visit.pixel('hips');
+  const head = await visit.pixel('head');
+  return arc(hips, { x: (hips.x + head.x) / 2 + 0.1 * dx, y: (hips.y + head.y) / 2 }, { x: head.x + dx, y: head.y + 12 });
+}
+
+const story = (name, options, play) =>
+  test(name, { timeout: 180_000, skip: options.data && !DATA ? 'the folder of real files is not there' : false }, async () => {
+    const visit = await Visit.open(browser, url, options.context);
+    await play(visit);
+    await visit.close();
+  });
+
+story('a pen draws a line: the joints follow while it moves, and one undo restores', {}, async (visit) => {
+  const before = await visit.joints();
+  let during;
+  await visit.draw(await lean(visit), async () => {
+    await visit.page.waitForFunction(() => globalThis.croquis.table.timings.length > 3);
+    during = await visit.joints();
+  });
+  assert.ok(distance(before, during) > 0.02, 'the body moved while the pen was down');
+  const state = await visit.state();
+  assert.equal(state.strokes.length, 1);
+  const pressures = state.strokes[0].samples.map((sample) => sample[3]);
+  assert.ok(Math.max(...pressures) - Math.min(...pressures) > 0.3, 'the pressure of the pen is kept');
+  const after = await visit.joints();
+  assert.ok(distance(after, during) < 0.02, 'lifting the pen changes next to nothing');
+  await visit.page.keyboard.press('Control+z');
+  await visit.settled();
+  assert.ok(distance(before, await visit.joints()) < 1e-6, 'undo restores the pose');
+  assert.equal((await visit.state()).strokes.length, 0);
+  await visit.page.keyboard.press('Control+Shift+Z');
+  await visit.settled();
+  assert.ok(distance(after, await visit.joints()) < 1e-6, 'redo brings it back');
+});
+
+story('the readings of a line can be cycled, the body following', {}, async (visit) => {
+  await visit.draw(await lean(visit));
+  const first = await visit.joints();
+  const count = await visit.page.evaluate(() => globalThis.croquis.table.solved.value.alternatives.length);
+  assert.ok(count > 1, 'there is more than one reading');
+  await visit.page.keyboard.press(']');
+  await visit.settled();
+  assert.ok(distance(first, await visit.joints()) > 1e-3, 'another reading is another pose');
+  await visit.page.keyboard.press('[');
+  await visit.settled();
+  assert.ok(distance(first, await visit.joints()) < 1e-6, 'and back');
+});
+
+story('orbiting moves the camera alone, and the stroke stays anchored in its view', {}, async (visit) => {
+  await visit.draw(await lean(visit));
+  const before = await visit.joints();
+  const { camera, samples } = (await visit.state()).strokes[0];
+  await visit.page.mouse.move(300, 320);
+  await visit.page.mouse.down({ button: 'right' });
+  await visit.page.mouse.move(420, 340, { steps: 4 });
+  await visit.page.mouse.up({ button: 'right' });
+  const state = await visit.state();
+  assert.equal(state.strokes.length, 1);
+  assert.deepEqual(state.strokes[0].camera, camera);
+  assert.deepEqual(state.strokes[0].samples, samples);
+  assert.ok(distance(before, await visit.joints()) < 1e-9);
+  const turned = await visit.page.evaluate(() => globalThis.croquis.stage.rig.toSpec());
+  assert.ok(distance(turned.position, camera.position) > 0.1, 'the camera has moved');
+  await visit.page.keyboard.press('0');
+  const back = await visit.page.evaluate(() => globalThis.croquis.stage.rig.toSpec());
+  assert.ok(distance(back.position, camera.position) < 1e-6, 'and finds its way back to the view of the stroke');
+});
+
+story('a line can be redrawn by its points, exaggerated, hidden and deleted', {}, async (visit) => {
+  await visit.draw(await lean(visit));
+  const drawn = await visit.joints();
+  const { samples, id } = (await visit.state()).strokes[0];
+  const end = samples.at(-1);
+  await visit.draw(Array.from({ length: 8 }, (_, i) => ({ x: end[0] - 9 * i, y: end[1] })));
+  const state = await visit.state();
+  assert.equal(state.strokes.length, 1, 'the line was changed, no new one drawn');
+  assert.equal(state.strokes[0].id, id);
+  assert.ok(distance(drawn, await visit.joints()) > 0.01, 'the body followed its line');
+  assert.ok(await visit.run({ name: 'set_stroke', stroke: id, settings: { exaggerate: 1.6 } }));
+  assert.ok(await visit.run({ name: 'set_stroke', stroke: id, settings: {}, hidden: true }));
+  assert.equal((await visit.state()).strokes[0].hidden, true);
+  assert.ok(await visit.run({ name: 'delete_stroke', stroke: id }));
+  assert.equal((await visit.state()).strokes.length, 0);
+});
+
+story('a hand is dragged, a foot is pinned, the pose is mirrored and reset', {}, async (visit) => {
+  const rest = await visit.joints();
+  await visit.page.keyboard.press('g');
+  const hand = await visit.pixel('leftHand');
+  await visit.draw(Array.from({ length: 10 }, (_, i) => ({ x: hand.x - 6 * i, y: hand.y - 9 * i })));
+  const dragged = await visit.joints();
+  assert.ok(distance(rest, dragged) > 0.1, 'the hand moved');
+  const actor = (await visit.state()).actors[0].id;
+  assert.ok(await visit.run({ name: 'mirror', actor, side: 'both' }));
+  const mirrored = await visit.joints();
+  assert.ok(distance(dragged, mirrored) > 0.1);
+  assert.ok(await visit.run({ name: 'mirror', actor, side: 'both' }));
+  assert.ok(distance(dragged, await visit.joints()) < 1e-5, 'mirroring twice gives the pose back');
+  assert.ok(await visit.run({ name: 'reset', actor, joints: [], amount: 1 }));
+  assert.ok(distance(rest, await visit.joints()) < 1e-6);
+});
+
+story('the shelf has poses and hands, and a pose of it is applied by a tap', {}, async (visit) => {
+  const shelf = await visit.page.evaluate(() => globalThis.croquis.table.engine.query('shelf', { actor: globalThis.croquis.table.actor.value }));
+  assert.ok(shelf.poses.filter((pose) => pose.kind === 'pose').length >= 24);
+  assert.ok(shelf.poses.filter((pose) => pose.kind === 'hand').length >= 8);
+  const before = await visit.joints();
+  await visit.page.locator('.pose-card').nth(4).click();
+  await visit.settled();
+  assert.ok(distance(before, await visit.joints()) > 0.1);
+  assert.ok(await visit.run({ name: 'keep_pose', actor: (await visit.state()).actors[0].id, pose_name: 'Mine' }));
+  assert.equal((await visit.state()).poses.length, 1);
+});
+
+story('characters of every kind are dropped on the table; a broken one is told of and does no harm', { data: true }, async (visit) => {
+  for (const file of ['gltf/cesium_man.gltf', 'gltf/fox_khronos.glb', 'gltf/quaternius_man_casual.glb', 'vrm/cryptovoxels_vrm0.vrm', 'vrm/debug_robot_vrm1.vrm', 'bvh/cmu_01_01.bvh']) {
+    const toast = await visit.drop(join(DATA, file));
+    assert.equal(toast.kind, 'note', `${file}: ${toast.text}`);
+  }
+  const { actors } = await visit.state();
+  assert.equal(actors.length, 7);
+  assert.ok(actors.some((actor) => actor.licence), 'the licence of a VRM is known');
+  const before = JSON.stringify(await visit.state());
+  const toast = await visit.drop(brokenFile());
+  assert.equal(toast.kind, 'error');
+  assert.ok(toast.text.length > 10);
+  assert.equal(JSON.stringify(await visit.state()), before, 'the scene is unharmed');
+});
+
+/** A file that begins like a GLB and goes on as nothing. */
+function brokenFile() {
+  const path = join(ROOT, 'build', 'broken.glb');
+  mkdirSync(join(ROOT, 'build'), { recursive: true });
+  writeFileSync(path, Buffer.concat([Buffer.from('glTF'), Buffer.alloc(30, 7)]));
+  return path;
+}
+
+async function saved(visit, format) {
+  return Buffer.from(
+    await visit.page.evaluate(async (f) => {
+      const { table, stage } = globalThis.croquis;
+      return [...(await table.engine.export(f, table.actor.value, { camera: stage.rig.toSpec() }))];
+    }, format),
+  );
+}
+
+story('every format is exported, GLB and VRM pass the validator, the picture is not flat', {}, async (visit) => {
+  const validator = require('gltf-validator');
+  await visit.draw(await lean(visit));
+  for (const format of ['croquis', 'glb', 'vrm', 'bvh', 'svg', 'openpose']) {
+    const bytes = await saved(visit, format);
+    assert.ok(bytes.length > 200, format);
+    if (format === 'glb' || format === 'vrm' || format === 'croquis') {
+      const report = await validator.validateBytes(new Uint8Array(bytes));
+      assert.equal(report.issues.numErrors, 0, `${format}: ${JSON.stringify(report.issues.messages.slice(0, 3))}`);
+    }
+    if (format === 'openpose') assert.equal(JSON.parse(bytes.toString()).people[0].pose_keypoints_2d.length, 54);
+    if (format === 'bvh') assert.match(bytes.toString(), /^HIERARCHY[\s\S]*Frames: 1/);
+    if (format === 'svg') assert.match(bytes.toString(), /<path/);
+  }
+  const levels = await visit.page.evaluate(async () => {
+    const blob = await globalThis.croquis.picture(320, 240, false, true);
+    const image = await createImageBitmap(blob);
+    const canvas = new OffscreenCanvas(320, 240);
+    const context = canvas.getContext('2d');
+    context.drawImage(image, 0, 0);
+    return new Set(context.getImageData(0, 0, 320, 240).data).size;
+  });
+  assert.ok(levels > 60, 'the picture has many shades');
+});
+
+story('a reload gives back the project with its history', {}, async (visit) => {
+  await visit.draw(await lean(visit));
+  await visit.draw(await lean(visit, -70));
+  const posed = await visit.joints();
+  const { strokes } = await visit.state();
+  await visit.page.waitForTimeout(300);
+  await visit.page.close({ runBeforeUnload: false });
+  await visit.load();
+  assert.ok(distance(posed, await visit.joints()) < 1e-6, 'the pose is back');
+  assert.equal((await visit.state()).strokes.length, strokes.length);
+  await visit.page.keyboard.press('Control+z');
+  await visit.page.keyboard.press('Control+z');
+  await visit.settled();
+  assert.equal((await visit.state()).strokes.length, 0, 'and can be undone');
+});
+
+test('the page works with the network off', { timeout: 180_000 }, async () => {
+  const own = await servePage();
+  const visit = await Visit.open(browser, `http://127.0.0.1:${own.address().port}/`);
+  await visit.page.evaluate(() => navigator.serviceWorker.ready.then(() => true));
+  await visit.page.waitForFunction(() => navigator.serviceWorker.controller !== null);
+  own.closeAllConnections?.();
+  own.close();
+  await visit.context.setOffline(true);
+  await visit.page.reload();
+  await visit.ready();
+  await visit.draw(await lean(visit));
+  assert.equal((await visit.state()).strokes.length, 1);
+  await visit.close();
+});
+
+story('fingers: one draws, two navigate, a tap of two undoes, of three redoes', { context: { hasTouch: true } }, async (visit) => {
+  const hips = await visit.pixel('hips');
+  const head = await visit.pixel('head');
+  await visit.wire.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: [{ ...hips, id: 0 }] });
+  for (const p of arc(hips, { x: hips.x + 10, y: (hips.y + head.y) / 2 }, { x: head.x + 80, y: head.y })) {
+    await visit.wire.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: [{ ...p, id: 0 }] });
+  }
+  await visit.wire.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+  await visit.settled();
+  assert.equal((await visit.state()).strokes.length, 1, 'one finger drew');
+  const before = await visit.page.evaluate(() => globalThis.croquis.stage.rig.state.height);
+  await visit.fingers(2, async (move) => {
+    for (let i = 1; i <= 6; ++i) await move(3 * i, 2 * i, 9 * i);
+  });
+  assert.equal((await visit.state()).strokes.length, 1, 'two fingers drew nothing');
+  assert.ok((await visit.page.evaluate(() => globalThis.croquis.stage.rig.state.height)) < before, 'they zoomed in');
+  await visit.fingers(2);
+  assert.equal((await visit.state()).strokes.length, 0, 'a tap of two undid');
+  await visit.fingers(3);
+  assert.equal((await visit.state()).strokes.length, 1, 'a tap of three redid');
+});
+
+story('everything can be reached with the keyboard alone', {}, async (visit) => {
+  const { page } = visit;
+  await page.keyboard.press('Control+k');
+  await page.keyboard.type('mirror pose');
+  await page.keyboard.press('Enter');
+  await visit.settled();
+  assert.equal((await visit.state()).undo, 'mirror');
+  await page.keyboard.press('Control+k');
+  await page.keyboard.type('add cat');
+  await page.keyboard.press('Enter');
+  await page.waitForFunction(() => globalThis.croquis.table.state.value.actors.length === 2, null, { timeout: 30_000 });
+  await page.keyboard.press('7');
+  const elevation = await page.evaluate(() => globalThis.croquis.stage.rig.state.elevation);
+  assert.ok(elevation > 1.5, 'the top view');
+  const reached = new Set();
+  for (let i = 0; i < 60; ++i) {
+    await page.keyboard.press('Tab');
+    reached.add(await page.evaluate(() => document.activeElement?.getAttribute('aria-label') ?? document.activeElement?.textContent?.slice(0, 30)));
+  }
+  assert.ok(reached.size > 15, `Tab walks through the page (${reached.size} stops)`);
+});
+
+story('nothing stands in the way of a person who cannot see or point well (axe)', {}, async (visit) => {
+  const source = readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
+  for (const scheme of [false, true]) {
+    await visit.page.evaluate((dark) => {
+      document.documentElement.dataset.theme = dark ? 'dark' : 'light';
+      for (const section of document.querySelectorAll('details')) section.open = true;
+    }, scheme);
+    // The page's own policy lets no foreign script in: the checker is handed over by the debugger.
+    await visit.wire.send('Runtime.evaluate', { expression: source });
+    const { result } = await visit.wire.send('Runtime.evaluate', {
+      expression: `axe.run(document, { resultTypes: ['violations'] }).then((r) => JSON.stringify(r.violations.filter((v) => v.impact === 'serious' || v.impact === 'critical').map((v) => [v.id, v.nodes[0].html, v.nodes[0].failureSummary])))`,
+      awaitPromise: true,
+    });
+    assert.equal(result.value, '[]');
+  }
+});
+
+story('a frame costs one palette upload a character and few draw calls', {}, async (visit) => {
+  const counts = () =>
+    visit.page.evaluate(() => {
+      const { stage } = globalThis.croquis;
+      return { uploads: [...stage.characters.values()].map((c) => c.palette.uploads), frames: stage.stats.frames, calls: stage.stats.drawCalls };
+    });
+  const before = await counts();
+  const actor = (await visit.state()).actors[0].id;
+  await visit.run({ name: 'reset', actor, joints: [], amount: 0.5 });
+  await visit.settled();
+  const after = await counts();
+  assert.ok(after.uploads[0] - before.uploads[0] <= 2);
+  assert.ok(after.calls < 40, `${after.calls} draw calls`);
+});
+
+story('screenshots for the README', {}, async (visit) => {
+  mkdirSync(join(ROOT, 'build/screenshots'), { recursive: true });
+  await visit.draw(await lean(visit, 120));
+  for (const [name, width, height] of [['studio_desktop', 1440, 900], ['studio_tablet', 1024, 768]]) {
+    await visit.page.setViewportSize({ width, height });
+    await visit.page.evaluate(() => globalThis.croquis.frameSelected());
+    await visit.settled();
+    const shot = await visit.page.screenshot({ path: join(ROOT, `build/screenshots/${name}.png`) });
+    assert.ok(shot.length > 20_000, 'the screenshot shows something');
+  }
+});

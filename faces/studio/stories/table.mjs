@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// What every story starts from: the built page, served on loopback, open in Debian's Chromium; a pen, fingers, keys.
+import assert from 'node:assert/strict';
+import { createReadStream, existsSync, readFileSync, statSync } from 'node:fs';
+import { createServer } from 'node:http';
+import { extname, join, resolve } from 'node:path';
+import { chromium } from 'playwright-core';
+
+export const ROOT = resolve(import.meta.dirname ?? new URL('.', import.meta.url).pathname, '../../..');
+const PAGE = join(ROOT, 'build/studio');
+export const DATA = [process.env.CROQUIS_DATA, join(ROOT, '../shared/data')].find((path) => path && existsSync(path));
+const TYPES = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.wasm': 'application/wasm', '.svg': 'image/svg+xml', '.png': 'image/png', '.webmanifest': 'application/manifest+json' };
+
+export function servePage() {
+  const server = createServer((request, response) => {
+    const path = decodeURIComponent(new URL(request.url, 'http://x').pathname);
+    const file = join(PAGE, path.endsWith('/') ? `${path}index.html` : path);
+    if (!file.startsWith(PAGE) || !existsSync(file) || !statSync(file).isFile()) return response.writeHead(404).end();
+    response.writeHead(200, { 'content-type': TYPES[extname(file)] ?? 'application/octet-stream' });
+    createReadStream(file).pipe(response);
+  });
+  return new Promise((done) => server.listen(0, '127.0.0.1', () => done(server)));
+}
+
+export const launch = () =>
+  chromium.launch({
+    executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+    args: ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'],
+  });
+
+/** A fresh browser profile with the studio open. Every fault the page reports ends up in `faults`. */
+export class Visit {
+  static async open(browser, url, options = {}) {
+    const context = await browser.newContext({ viewport: { width: 960, height: 640 }, acceptDownloads: true, ...options });
+    const visit = new Visit(context, url);
+    await visit.load();
+    return visit;
+  }
+
+  constructor(context, url) {
+    this.context = context;
+    this.url = url;
+    this.faults = [];
+  }
+
+  async load(query = '') {
+    this.page = await this.context.newPage();
+    this.page.on('console', (message) => message.type() === 'error' && this.faults.push(message.text()));
+    this.page.on('pageerror', (error) => this.faults.push(String(error)));
+    await this.page.goto(this.url + query);
+    await this.ready();
+  }
+
+  async ready() {
+    await this.page.waitForFunction(() => document.documentElement.dataset.ready === 'true', null, { timeout: 60_000 });
+    this.wire = await this.context.newCDPSession(this.page);
+  }
+
+  /** The engine's project as the page mirrors it. */
+  state() {
+    return this.page.evaluate(() => globalThis.croquis.table.state.value);
+  }
+
+  joints(actor) {
+    return this.page.evaluate((id) => {
+      const { stage, table } = globalThis.croquis;
+      return [...stage.characters.get(id ?? table.actor.value).joints];
+    }, actor);
+  }
+
+  run(command) {
+    return this.page.evaluate((c) => globalThis.croquis.table.run(c).then((change) => change !== null), command);
+  }
+
+  async settled() {
+    await this.page.waitForFunction(() => globalThis.croquis.table.busy.value === 0);
+    await this.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  }
+
+  /** The screen position of a joint named by its humanoid bone or its own name. */
+  pixel(name) {
+    return this.page.evaluate((wanted) => {
+      const { stage, table } = globalThis.croquis;
+      const view = stage.characters.get(table.actor.value);
+      const index = view.info.joints.findIndex((joint) => joint.bone === wanted || joint.name === wanted);
+      const { x, y } = stage.rig.project(view.joint(index));
+      return { x, y };
+    }, name);
+  }
+
+  async pen(type, x, y, force) {
+    const pressed = type !== 'mouseReleased';
+    await this.wire.send('Input.dispatchMouseEvent', {
+      type, x, y, button: type === 'mouseMoved' ? 'none' : 'left', buttons: pressed ? 1 : 0, pointerType: 'pen', force, clickCount: type === 'mouseMoved' ? 0 : 1,
+    });
+  }
+
+  /** Draws through the points with a pen that presses harder as it goes; `during` runs while it is still down. */
+  async draw(points, during = async () => {}) {
+    await this.pen('mousePressed', points[0].x, points[0].y, 0.2);
+    for (let i = 1; i < points.length; ++i) await this.pen('mouseMoved', points[i].x, points[i].y, 0.2 + (0.7 * i) / points.length);
+    await during();
+    const last = points.at(-1);
+    await this.pen('mouseReleased', last.x, last.y, 0);
+    await this.settled();
+  }
+
+  async fingers(count, gesture) {
+    const touch = (type, points) => this.wire.send('Input.dispatchTouchEvent', { type, touchPoints: points });
+    const start = Array.from({ length: count }, (_, i) => ({ x: 380 + 70 * i, y: 260, id: i }));
+    await touch('touchStart', start);
+    await gesture?.((dx, dy, spread) => touch('touchMove', start.map((p, i) => ({ ...p, x: p.x + dx + (i === 0 ? -spread : spread), y: p.y + dy }))));
+    await touch('touchEnd', []);
+    await this.settled();
+  }
+
+  async drop(path) {
+    const name = path.split('/').at(-1);
+    const bytes = readFileSync(path).toString('base64');
+    const handle = await this.page.evaluateHandle(([text, file]) => {
+      const transfer = new DataTransfer();
+      transfer.items.add(new File([Uint8Array.from(atob(text), (c) => c.charCodeAt(0))], file));
+      return transfer;
+    }, [bytes, name]);
+    const before = await this.page.evaluate(() => globalThis.croquis.table.toasts.value.at(-1)?.id ?? 0);
+    await this.page.dispatchEvent('body', 'drop', { dataTransfer: handle });
+    await this.page.waitForFunction((last) => (globalThis.croquis.table.toasts.value.at(-1)?.id ?? 0) > last, before, { timeout: 30_000 });
+    await this.settled();
+    return this.page.evaluate(() => globalThis.croquis.table.toasts.value.at(-1));
+  }
+
+  async contextIsAlive() {
+    const lost = await this.page.evaluate(() => globalThis.croquis.stage.renderer.getContext().isContextLost());
+    assert.equal(lost, false, 'the WebGL context is alive');
+  }
+
+  async close() {
+    await this.contextIsAlive();
+    assert.deepEqual(this.faults, [], 'the page reported no fault');
+    await this.context.close();
+  }
+}
+
+/** Points along a C through three places. */
+export function arc(from, through, to, count = 24) {
+  return Array.from({ length: count }, (_, i) => {
+    const t = i / (count - 1);
+    const mix = (a, b, c) => (1 - t) * (1 - 2 * t) * a + 4 * t * (1 - t) * b + t * (2 * t - 1) * c;
+    return { x: mix(from.x, through.x, to.x), y: mix(from.y, through.y, to.y) };
+  });
+}
+
+export function distance(a, b) {
+  return Math.max(...a.map((value, i) => Math.abs(value - b[i])));
+}
