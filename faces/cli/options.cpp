@@ -32,7 +32,9 @@ void ViewOptions::add_to(CLI::App& command) {
   for (const View v : all_views()) names.emplace_back(to_string(v));
   auto* named = command.add_option("--view", view, "Seen from the character's " + join(names, ", "))->type_name("NAME");
   auto* size_option = command.add_option("--size", size, "Size of the picture in pixels")->type_name("WxH");
-  command.add_option("--camera", camera_file, "A camera file instead of a named view; it says the size too [default: the view]")
+  command
+      .add_option("--camera", camera_file,
+                  "A camera file instead of a named view; it says the size too [default: the view]")
       ->type_name("FILE.json")
       ->excludes(named)
       ->excludes(size_option);
