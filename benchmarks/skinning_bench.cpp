@@ -178,9 +178,9 @@ int main(int argc, char** argv) {
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   croquis::Scene wild = croquis::make_scene(croquis::kPi), scene = croquis::make_scene(croquis::kPi / 2);
   std::printf("Joints that turn by any angle (dual quaternions need a choice of signs)\n");
-  croquis::print_ratios(wild, 201);
+  croquis::print_ratios(wild, 101);
   std::printf("Joints that turn by up to 90 degrees\n");
-  croquis::print_ratios(scene, 201);
+  croquis::print_ratios(scene, 101);
   for (const croquis::Contender& contender : croquis::make_contenders()) {
     benchmark::RegisterBenchmark(contender.name.c_str(), [&scene, run = contender.run](benchmark::State& state) {
       for (auto _ : state) run(scene);
