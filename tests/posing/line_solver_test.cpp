@@ -8,6 +8,7 @@
 
 #include "croquis/base/error.h"
 #include "croquis/math/rotation.h"
+#include "croquis/posing/extract_line.h"
 
 namespace croquis {
 namespace {
@@ -67,7 +68,9 @@ TEST(LineSolver, BoneLengthsKeepAndNumbersStayFiniteOnAnyBody) {
     Camera camera;
     camera.projection = round % 2 == 0 ? Camera::Projection::orthographic : Camera::Projection::perspective;
     const LineInput input{{"", skeleton.path(from, to)}, Polyline2(Polyline2(points).resampled(96))};
-    const LineSolverResult result = solve_lines(skeleton, {}, start, {input}, camera);
+    LineSolverOptions options;
+    options.iterations = 20;
+    const LineSolverResult result = solve_lines(skeleton, {}, start, {input}, camera, options);
     EXPECT_LT(result.bone_length_drift, 1e-9);
     for (const Transform& local : result.pose.local) ASSERT_TRUE(local.is_finite());
     // Joints off the line keep their rotations.
@@ -197,6 +200,110 @@ TEST(LineSolver, MirroredAndScaledBodiesKeepTheirLengths) {
   EXPECT_EQ(result.report.status, "ok");
   EXPECT_LT(result.bone_length_drift, 1e-9);
   EXPECT_LT(result.fits[0].mean_px, 10.0);
+}
+
+TEST(LineSolver, JointLimitsHoldExactly) {
+  Random random(41);
+  int bound = 0;
+  for (int round = 0; round < 10; ++round) {
+    const Skeleton skeleton = make_test_humanoid(round + 1);
+    const HumanoidMap humanoid = recognise_humanoid(skeleton);
+    LineSolverOptions options, free;
+    options.limits = make_joint_limits(skeleton, humanoid, LimitPreset::anatomical);
+    options.iterations = free.iterations = 25;
+    ASSERT_FALSE(options.limits.empty());
+    std::vector<Vec2> points;
+    for (int i = 0; i < 4; ++i) points.emplace_back(random.uniform(200, 800), random.uniform(100, 900));
+    const BodyLine line =
+        round % 2 == 0 ? foot_to_head(skeleton)
+                       : BodyLine{"", skeleton.path(skeleton.resolve("rightHand"), skeleton.resolve("leftFoot"))};
+    const LineInput input{line, curve_through(points), LineInput::Direction::forward};
+    const Pose start = rest_pose(skeleton);
+    const LineSolverResult result = solve_lines(skeleton, humanoid, start, {input}, Camera{}, options);
+    EXPECT_TRUE(result.limits_widened.empty());
+    EXPECT_TRUE(find_limit_violations(options.limits, result.pose).empty());
+    EXPECT_TRUE(result.limit_violations.empty());
+    EXPECT_LT(result.bone_length_drift, 1e-9);
+    const Pose anyhow = solve_lines(skeleton, humanoid, start, {input}, Camera{}, free).pose;
+    if (!find_limit_violations(options.limits, anyhow).empty()) ++bound;
+  }
+  EXPECT_GT(bound, 5);  // the strokes do ask for more than a body can do
+}
+
+TEST(LineSolver, AKneeBendsTheRightWayEvenIfTheStrokeDoesNot) {
+  const Skeleton skeleton = make_test_humanoid(2);
+  const HumanoidMap humanoid = recognise_humanoid(skeleton);
+  const BodyLine leg{"", skeleton.path(skeleton.resolve("leftUpperLeg"), skeleton.resolve("leftFoot"))};
+  Camera side;  // from the character's left: +Z is to the left of the picture
+  side.position = Vec3(5, 1, 0);
+  side.target = Vec3(0, 1, 0);
+  const auto at = [&](double y, double z) { return *side.project(Vec3(0.09, y, z)); };
+  // A shin that would have to swing forward, in front of the knee.
+  const LineInput input{leg, Polyline2(Polyline2({at(0.9, 0), at(0.5, 0), at(0.35, 0.38)}).resampled(96)),
+                        LineInput::Direction::forward};
+  LineSolverOptions options;
+  options.limits = make_joint_limits(skeleton, humanoid, LimitPreset::anatomical);
+  const LineSolverResult held = solve_lines(skeleton, humanoid, rest_pose(skeleton), {input}, side, options);
+  EXPECT_TRUE(find_limit_violations(options.limits, held.pose).empty());
+  const Pose broken = solve_lines(skeleton, humanoid, rest_pose(skeleton), {input}, side).pose;
+  EXPECT_FALSE(find_limit_violations(options.limits, broken).empty());
+  // The neighbours take over: the hip swings the leg forward as far as it helps.
+  const auto foot = [&](const Pose& pose) {
+    return compute_positions(skeleton, pose)[static_cast<std::size_t>(leg.joints.back())];
+  };
+  EXPECT_GT(foot(held.pose).z(), 0.15);
+}
+
+TEST(LineSolver, AStartOutsideItsLimitsIsNoError) {
+  const Skeleton skeleton = make_test_humanoid(2);
+  const HumanoidMap humanoid = recognise_humanoid(skeleton);
+  LineSolverOptions options;
+  options.limits = make_joint_limits(skeleton, humanoid, LimitPreset::anatomical);
+  Pose start = rest_pose(skeleton);
+  const auto knee = static_cast<std::size_t>(skeleton.resolve("leftLowerLeg"));
+  start.local[knee].rotation = start.local[knee].rotation * rotation_from_vector(Vec3(1.1, 0.7, -0.9));
+  ASSERT_FALSE(find_limit_violations(options.limits, start).empty());
+  const BodyLine line = foot_to_head(skeleton);
+  const LineSolverResult same = solve_lines(
+      skeleton, humanoid, start, {{line, Polyline2(project_line(skeleton, start, line, Camera{}))}}, Camera{}, options);
+  EXPECT_EQ(same.limits_widened, std::vector<int>{static_cast<int>(knee)});
+  EXPECT_LT(largest_turn(same.pose, start) / kDegree, 0.1);
+}
+
+TEST(LineSolver, PinsHoldOrAreNamed) {
+  const Skeleton skeleton = make_test_humanoid(7);
+  const Pose start = rest_pose(skeleton);
+  const int foot = skeleton.resolve("rightFoot");
+  LineSolverOptions options;
+  options.pins.push_back({foot, skeleton.rest_position(foot)});
+  const BodyLine trunk{"", skeleton.path(0, skeleton.resolve("head"))};
+  std::vector<Vec2> points = project_line(skeleton, start, trunk, Camera{});
+  for (Vec2& p : points) p += Vec2(0.2 * (600 - p.y()), 20);  // leans over, the hips a little lower
+  const LineSolverResult held = solve_lines(skeleton, {}, start, {{trunk, Polyline2(points)}}, Camera{}, options);
+  EXPECT_EQ(held.report.status, "ok");
+  const Vec3 there = compute_positions(skeleton, held.pose)[static_cast<std::size_t>(foot)];
+  EXPECT_LT((there - skeleton.rest_position(foot)).norm(), 1e-4 * skeleton.extent());
+  options.pins.front().position = Vec3(0, 5, 0);
+  const LineSolverResult missed = solve_lines(skeleton, {}, start, {{trunk, Polyline2(points)}}, Camera{}, options);
+  EXPECT_NE(missed.report.status.find("rightFoot could not be held"), std::string::npos) << missed.report.status;
+  for (const Transform& local : missed.pose.local) EXPECT_TRUE(local.is_finite());
+}
+
+TEST(LineSolver, TrimAndExtendKeepBonesAtTheirLength) {
+  const Skeleton skeleton = make_chain(9, 0.1, 9);  // 0.8 units: 410 pixels, flat in the picture
+  const BodyLine line{"", skeleton.path(0, 8)};
+  LineSolverOptions options;
+  const auto tip = [&](LengthPolicy policy, double pixels) {
+    options.length = policy;
+    const LineInput input{line, Polyline2(Polyline2({Vec2(512, 900), Vec2(512 + pixels, 900)}).resampled(96)),
+                          LineInput::Direction::forward};
+    const Pose pose = solve_lines(skeleton, {}, rest_pose(skeleton), {input}, Camera{}, options).pose;
+    return (project_line(skeleton, pose, line, Camera{}).back() - Vec2(512, 900)).norm();
+  };
+  EXPECT_NEAR(tip(LengthPolicy::fit, 200), 200, 12);
+  EXPECT_NEAR(tip(LengthPolicy::extend, 200), 410, 12);
+  EXPECT_NEAR(tip(LengthPolicy::scale, 200), 410, 120);  // about its anchor
+  EXPECT_NEAR(tip(LengthPolicy::trim, 700), 410, 12);
 }
 
 TEST(LineSolver, BadInputIsRefusedOrSurvived) {

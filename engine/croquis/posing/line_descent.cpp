@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // D. W. Marquardt, An Algorithm for Least-Squares Estimation of Nonlinear Parameters (1963); the damping rule is H. B.
-// Nielsen's, Damping Parameter in Marquardt's Method (1999).
+// Nielsen's, Damping Parameter in Marquardt's Method (1999). D. P. Bertsekas, Projected Newton Methods for Optimization
+// Problems with Simple Constraints (1982).
 #include "croquis/posing/line_descent.h"
 
 #include <algorithm>
@@ -15,22 +16,60 @@ void LineDescent::prepare(const LineProblem& problem) {
   step_.setZero(n);
   factor_ = Eigen::LLT<Eigen::MatrixXd>(n);
   trial_ = problem.start_state();
+  active_.reserve(3 * problem.limits.size());
+  crossings_.reserve(problem.limits.size());
+}
+
+/// The energy after a damped step from `state` that keeps to the active limits, left in trial_.
+double LineDescent::try_step(const LineProblem& problem, const LineState& state, double damping, double most_turn) {
+  constexpr int kAttempts = 3;
+  double energy = 0.0;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    damped_.triangularView<Eigen::Lower>() = model_.normal;
+    damped_.diagonal().array() += damping * (model_.normal.diagonal().array() + 1e-6) + 1e-12;
+    for (const ActiveLimit& limit : active_) {
+      const double stiff = 1e6 * (1.0 + model_.normal.diagonal().segment<3>(limit.column).maxCoeff());
+      damped_.block<3, 3>(limit.column, limit.column) += stiff * limit.normal * limit.normal.transpose();
+    }
+    factor_.compute(damped_);
+    step_ = -model_.gradient;
+    factor_.solveInPlace(step_);
+    if (most_turn > 0.0) {
+      double largest = 0.0;
+      for (const LineNode& node : problem.nodes) {
+        if (node.column >= 0) largest = std::max(largest, step_.segment<3>(node.column).norm());
+      }
+      if (largest > most_turn) step_ *= most_turn / largest;
+    }
+    problem.advance(state, step_, trial_);
+    clamp_to_limits(problem, trial_, crossings_);
+    energy = problem.energy(trial_);
+    if (energy < model_.energy) break;
+    // A limit that cut the step short joins the active ones, and its neighbours try again without it.
+    bool more = false;
+    for (const Crossing& crossing : crossings_) {
+      const bool known = std::any_of(active_.begin(), active_.end(),
+                                     [&](const ActiveLimit& limit) { return limit.limit == crossing.limit; });
+      if (known || active_.size() >= active_.capacity()) continue;
+      const LineNode& node = problem.nodes[static_cast<std::size_t>(problem.limits[crossing.limit].node)];
+      active_.push_back({crossing.limit, node.column, limit_normal(problem, state, crossing.limit, crossing.outward)});
+      more = true;
+    }
+    if (!more) break;
+  }
+  return energy;
 }
 
 DescentReport LineDescent::minimise(const LineProblem& problem, LineState& state, const DescentOptions& options) {
   DescentReport report;
+  clamp_to_limits(problem, state, crossings_);
   problem.linearise(state, model_);
+  find_active_limits(problem, state, model_.gradient, active_);
   report.energy = model_.energy;
   double damping = 1e-3, growth = 2.0;
   while (report.iterations < options.iterations) {
     ++report.iterations;
-    damped_.triangularView<Eigen::Lower>() = model_.normal;
-    damped_.diagonal().array() += damping * (model_.normal.diagonal().array() + 1e-6) + 1e-12;
-    factor_.compute(damped_);
-    step_ = -model_.gradient;
-    factor_.solveInPlace(step_);
-    problem.advance(state, step_, trial_);
-    const double energy = problem.energy(trial_);
+    const double energy = try_step(problem, state, damping, options.most_turn);
     const double decrease = report.energy - energy;
     if (std::isfinite(energy) && decrease > 0.0) {
       double predicted = -0.5 * step_.dot(model_.gradient);
@@ -51,7 +90,9 @@ DescentReport LineDescent::minimise(const LineProblem& problem, LineState& state
       damping *= growth;
       growth *= 2.0;
     }
+    find_active_limits(problem, state, model_.gradient, active_);
   }
+  report.converged = report.converged || damping > 1e8;  // no step of any size gains anything
   return report;
 }
 

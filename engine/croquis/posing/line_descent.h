@@ -3,6 +3,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "croquis/posing/line_limits.h"
 #include "croquis/posing/line_problem.h"
 
 namespace croquis {
@@ -10,6 +11,7 @@ namespace croquis {
 struct DescentOptions {
   int iterations = 30;      ///< at most
   double tolerance = 1e-7;  ///< relative decrease of the energy below which it stops
+  double most_turn = 0.0;   ///< radians that a joint may turn in one step; 0: any
 };
 
 struct DescentReport {
@@ -19,7 +21,8 @@ struct DescentReport {
 };
 
 /// Levenberg-Marquardt on a LineProblem (marquardt1963, damping after nielsen1999). Keeps its workspace: minimising the
-/// same problem again allocates nothing.
+/// same problem again allocates nothing. Joint limits hold exactly at every step: what starts outside is brought in
+/// first, then steps slide along limits (projected descent with an active set, bertsekas1982).
 class LineDescent {
  public:
   void prepare(const LineProblem& problem);
@@ -27,11 +30,14 @@ class LineDescent {
   DescentReport minimise(const LineProblem& problem, LineState& state, const DescentOptions& options);
 
  private:
+  [[nodiscard]] double try_step(const LineProblem& problem, const LineState& state, double damping, double most_turn);
   LineModel model_;
   LineState trial_;
   Eigen::MatrixXd damped_;
   Eigen::VectorXd step_;
   Eigen::LLT<Eigen::MatrixXd> factor_;
+  std::vector<ActiveLimit> active_;
+  std::vector<Crossing> crossings_;
 };
 
 }  // namespace croquis

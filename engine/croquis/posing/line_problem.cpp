@@ -57,7 +57,7 @@ LineState LineProblem::start_state() const {
     for (const double bone : path.bones) along.push_back(along.back() + bone);
     const double total = along.back();
     for (double& s : along) s = total > 0.0 ? s / total * path.curve.length() : 0.0;
-    state.along.push_back(along);
+    state.along.push_back(path.hold_last ? along : path.slide_to);
   }
   update(state);
   return state;
@@ -83,7 +83,11 @@ void LineProblem::update(LineState& state) const {
 
 Vec2 LineProblem::project(const Vec3& x) const {
   if (!perspective) return x.head<2>();
-  return x.head<2>() * (distance / std::max(-x.z(), kNearest * distance));
+  return x.head<2>() * magnification(x);
+}
+
+double LineProblem::magnification(const Vec3& x) const {
+  return perspective ? distance / std::max(-x.z(), kNearest * distance) : 1.0;
 }
 
 /// d(picture x, picture y, depth)/dx.
@@ -125,7 +129,7 @@ void LineProblem::visit_path(const LineState& state, std::size_t index, Sink& si
   const LinePath& path = paths[index];
   const int joints = static_cast<int>(path.nodes.size());
   const double end = path.curve.length();
-  const double slide = path.slide_to.empty() ? 0.0 : std::sqrt(weights.slide);
+  const double slide = path.hold_last ? 0.0 : std::sqrt(weights.slide);
   Vec2 p0 = Vec2::Zero(), c0 = Vec2::Zero(), dc0 = Vec2::Zero();
   double s0 = 0.0, z0 = 0.0;
   for (int k = 0; k < joints; ++k) {
@@ -143,9 +147,6 @@ void LineProblem::visit_path(const LineState& state, std::size_t index, Sink& si
       own[3] = -w * dc1[axis];
       sink.row(w * (p1[axis] - c1[axis]), k, own, Vec4::Zero());
     }
-    if (slide > 0.0 && !first && !last) {
-      sink.row(slide * (s1 - path.slide_to[at]), k, Vec4(0, 0, 0, slide), Vec4::Zero());
-    }
     if (k > 0) {
       const double length = std::max(path.bones[at - 1], kShortest);
       const double importance = std::sqrt(0.5 * (path.importance[at - 1] + path.importance[at]));
@@ -161,6 +162,10 @@ void LineProblem::visit_path(const LineState& state, std::size_t index, Sink& si
       }
       sink.row(wd * (x.z() - z0 - path.start_depth[at - 1]), k - 1, Vec4(0, 0, -wd, 0), Vec4(0, 0, wd, 0));
       const bool before_held = k == 1 && path.hold_first;
+      if (slide > 0.0) {
+        const double wanted = path.slide_to[at] - path.slide_to[at - 1];
+        sink.row(slide * (s1 - s0 - wanted), k - 1, Vec4(0, 0, 0, before_held ? 0.0 : -slide), Vec4(0, 0, 0, slide));
+      }
       const double wi = importance * std::sqrt(weights.inner / kInner);
       for (int i = 1; i <= kInner; ++i) {
         const double t = static_cast<double>(i) / (kInner + 1), s = s0 + t * (s1 - s0);
@@ -400,7 +405,8 @@ void LineProblem::advance(const LineState& from, const Eigen::VectorXd& step, Li
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const LinePath& path = paths[i];
     std::vector<double>& along = to.along[i];
-    const double end = path.curve.length();
+    double end = path.curve.length();
+    if (!path.hold_last) end = std::max(end, 1.2 * path.slide_to.back());
     double least = 0.0;
     for (std::size_t k = 0; k < along.size(); ++k) {
       along[k] = std::clamp(from.along[i][k] + step[path.column + static_cast<int>(k)], least, end);

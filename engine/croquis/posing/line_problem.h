@@ -7,6 +7,7 @@
 
 #include "croquis/math/camera.h"
 #include "croquis/posing/stroke_curve.h"
+#include "croquis/rig/joint_limits.h"
 
 namespace croquis {
 
@@ -21,7 +22,7 @@ struct LineWeights {
   double share = 3e-4;        ///< difference of bend between neighbours of one group, per length
   double shift = 1e-6;        ///< moving the root in the picture
   double shift_depth = 0.05;  ///< moving the root toward the camera or away
-  double slide = 0.0;         ///< joints sliding along the stroke from where the correspondence had them
+  double slide = 0.02;        ///< without a held end: joints to where their bones reach along the stroke
   double pin = 1e5;           ///< held joints
 };
 
@@ -42,7 +43,7 @@ struct LinePath {
   std::vector<double> bones;                 ///< length of each
   std::vector<double> start_depth;           ///< z of each bone's vector in the start pose
   std::vector<double> importance;            ///< per joint
-  std::vector<double> slide_to;              ///< arc lengths that `slide` pulls to; empty: none
+  std::vector<double> slide_to;              ///< without a held end: arc lengths that `slide` pulls to, may lie beyond
   bool hold_first = true, hold_last = true;  ///< the line's ends land on the stroke's ends
   int column = -1;                           ///< of the arc lengths of all joints (those of held ends have no effect)
 };
@@ -51,6 +52,15 @@ struct LinePath {
 struct LinePin {
   int node = -1;
   Vec3 target = Vec3::Zero();
+};
+
+/// What a joint may do: its limit, and what turns of its node mean to it,
+///     local rotation = above' E above * start_local.
+struct LineLimit {
+  int node = -1;
+  Mat3 above = Mat3::Identity();  ///< orthogonal: view axes from the joint's parent, in the start pose
+  Quat start_local = Quat::Identity();
+  JointLimit limit;
 };
 
 /// Two neighbours along a path that share a bend in proportion to their lengths.
@@ -92,6 +102,7 @@ class LineProblem {
   std::vector<LinePath> paths;
   std::vector<LinePin> pins;
   std::vector<SharedBend> shares;
+  std::vector<LineLimit> limits;
   LineWeights weights;
   bool perspective = false;
   double distance = 1.0;  ///< perspective: pictures are measured at this distance from the camera
@@ -106,6 +117,8 @@ class LineProblem {
   void update(LineState& state) const;
   /// The picture position of a point; bounded behind the camera.
   [[nodiscard]] Vec2 project(const Vec3& x) const;
+  /// How many times larger the picture shows what is at x.
+  [[nodiscard]] double magnification(const Vec3& x) const;
   /// Sizes a model for this problem.
   void prepare(LineModel& model) const;
   [[nodiscard]] double energy(const LineState& state) const;

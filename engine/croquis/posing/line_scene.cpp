@@ -8,6 +8,7 @@
 
 #include "croquis/base/error.h"
 #include "croquis/base/text.h"
+#include "croquis/posing/line_limits.h"
 
 namespace croquis {
 namespace {
@@ -113,6 +114,10 @@ LineScene::LineScene(const Skeleton& skeleton, const HumanoidMap& humanoid, cons
   problem.weights = options.weights;
   add_nodes(inputs, options);
   for (const LineInput& input : inputs) add_path(input);
+  add_limits(options.limits);
+  for (const PosePin& pin : options.pins) {
+    problem.pins.push_back({node_of(pin.joint), view_ * pin.position / unit_});
+  }
   problem.finish();
 }
 
@@ -135,6 +140,23 @@ void LineScene::add_nodes(const std::vector<LineInput>& inputs, const LineSolver
       if (options.move_body && skeleton_.is_ancestor(body_root_, joint)) turns[static_cast<std::size_t>(joint)] = true;
     }
     for (const int joint : joints) wanted[static_cast<std::size_t>(joint)] = true;
+  }
+  for (const PosePin& pin : options.pins) {
+    if (pin.joint < 0 || pin.joint >= skeleton_.joint_count() || !pin.position.allFinite()) {
+      throw_invalid_argument("line solver: a pin wants a joint and a finite position, got joint #" +
+                             std::to_string(pin.joint));
+    }
+    // Up to the first joint that a line holds, or that carries the body.
+    for (int joint = pin.joint; joint >= 0; joint = skeleton_.parent(joint)) {
+      const auto at = static_cast<std::size_t>(joint);
+      if (wanted[at] || joint == body_root_) {
+        for (int above = joint; above >= 0; above = skeleton_.parent(above))
+          wanted[static_cast<std::size_t>(above)] = true;
+        break;
+      }
+      wanted[at] = true;
+      turns[at] = joint != pin.joint;
+    }
   }
   if (!options.free_root) turns[static_cast<std::size_t>(body_root_)] = false;
 
@@ -175,7 +197,7 @@ void LineScene::add_path(const LineInput& input) {
   set_stiffness(path);
   add_shares(path);
   problem.paths.push_back(std::move(path));
-  set_stroke(problem.paths.size() - 1, input.stroke, false);
+  set_stroke(problem.paths.size() - 1, input.stroke.points(), false);
 }
 
 /// Twist about the bone that a joint moves costs more than swing.
@@ -220,24 +242,52 @@ void LineScene::add_shares(const LinePath& path) {
   }
 }
 
-void LineScene::set_stroke(std::size_t index, const Polyline2& stroke, bool reversed) {
-  LinePath& path = problem.paths[index];
-  if (reversed) {
-    reversed_.assign(stroke.points().rbegin(), stroke.points().rend());
-    path.curve.assign(reversed_, pixel_scale_, pixel_offset_);
-  } else {
-    path.curve.assign(stroke.points(), pixel_scale_, pixel_offset_);
+void LineScene::add_limits(const std::vector<JointLimit>& limits) {
+  for (const JointLimit& limit : limits) {
+    if (limit.joint < 0 || limit.joint >= skeleton_.joint_count()) {
+      throw_invalid_argument("line solver: a limit is for joint #" + std::to_string(limit.joint));
+    }
+    const int node = node_of(limit.joint);
+    if (node < 0 || problem.nodes[static_cast<std::size_t>(node)].column < 0) continue;
+    LineLimit own{node, above_[static_cast<std::size_t>(node)],
+                  start_.local[static_cast<std::size_t>(limit.joint)].rotation, limit};
+    if (widen_limit(own.limit, own.start_local)) limits_widened_.push_back(limit.joint);
+    problem.limits.push_back(own);
   }
+}
+
+void LineScene::set_stroke(std::size_t index, std::span<const Vec2> stroke, bool reversed) {
+  LinePath& path = problem.paths[index];
+  path.curve.assign(stroke, pixel_scale_, pixel_offset_, reversed);
   double reach = 0.0;
-  for (const double bone : path.bones) reach += bone;
+  for (std::size_t k = 0; k < path.bones.size(); ++k) {
+    const Vec3 middle = 0.5 * (problem.nodes[static_cast<std::size_t>(path.nodes[k])].start +
+                               problem.nodes[static_cast<std::size_t>(path.nodes[k + 1])].start);
+    reach += path.bones[k] * problem.magnification(middle);
+  }
   constexpr double kSlack = 1.02;  // a hand is not exact: a little too long is not shrunk
   const double factor = reach / path.curve.length();
-  if (length_ == LengthPolicy::scale || factor * kSlack < 1.0) {
+  const bool shrinks = length_ != LengthPolicy::trim && factor * kSlack < 1.0;
+  if (length_ == LengthPolicy::scale || shrinks) {
     // The anchor is the stroke's point nearest to the line's topmost joint, parents having the smaller index.
     const int top = *std::min_element(path.nodes.begin(), path.nodes.end());
     const Vec2 there = problem.project(problem.nodes[static_cast<std::size_t>(top)].start);
     const Vec2 anchor = path.curve.at(path.curve.nearest(there));
     path.curve.scale_about(anchor, length_ == LengthPolicy::scale ? factor : factor * kSlack);
+  }
+  // trim and extend: joints lie as far along as their bones reach, wherever the stroke ends.
+  path.hold_last =
+      !((length_ == LengthPolicy::trim && factor < 1.0) || (length_ == LengthPolicy::extend && factor > 1.0));
+  path.slide_to.resize(path.nodes.size());
+  if (path.hold_last) return;
+  double along = 0.0;
+  for (std::size_t k = 0; k < path.nodes.size(); ++k) {
+    path.slide_to[k] = along;
+    if (k < path.bones.size()) {
+      const Vec3 middle = 0.5 * (problem.nodes[static_cast<std::size_t>(path.nodes[k])].start +
+                                 problem.nodes[static_cast<std::size_t>(path.nodes[k + 1])].start);
+      along += path.bones[k] * problem.magnification(middle);
+    }
   }
 }
 

@@ -20,12 +20,13 @@ class LineScene {
   LineProblem problem;
 
   /// Gives a path another stroke (pixels); reversed: the stroke starts at the line's last joint.
-  void set_stroke(std::size_t path, const Polyline2& stroke, bool reversed);
+  void set_stroke(std::size_t path, std::span<const Vec2> stroke, bool reversed);
   /// The start pose turned and moved as the state says.
   void write_pose(const LineState& state, Pose& pose) const;
   /// Scene units per problem unit.
   [[nodiscard]] double unit() const { return unit_; }
   [[nodiscard]] int node_of(int joint) const { return node_of_[static_cast<std::size_t>(joint)]; }
+  [[nodiscard]] const std::vector<int>& limits_widened() const { return limits_widened_; }
   /// Every joint that turns lies under ancestors that scale evenly: lengths are kept.
   [[nodiscard]] bool scales_evenly() const { return scales_evenly_; }
 
@@ -34,6 +35,7 @@ class LineScene {
   void add_path(const LineInput& input);
   void set_stiffness(const LinePath& path);
   void add_shares(const LinePath& path);
+  void add_limits(const std::vector<JointLimit>& limits);
 
   const Skeleton& skeleton_;
   const Pose& start_;
@@ -47,7 +49,7 @@ class LineScene {
   Vec2 pixel_scale_ = Vec2::Ones(), pixel_offset_ = Vec2::Zero();
   LengthPolicy length_ = LengthPolicy::fit;
   bool scales_evenly_ = true;
-  std::vector<Vec2> reversed_;  ///< scratch
+  std::vector<int> limits_widened_;
 };
 
 }  // namespace croquis

@@ -9,11 +9,6 @@
 namespace croquis {
 namespace {
 
-/// How much larger than life the picture shows what is at x.
-double magnification(const LineProblem& problem, const Vec3& x) {
-  return problem.perspective ? problem.distance / std::max(-x.z(), 0.05 * problem.distance) : 1.0;
-}
-
 /// Turns node i by a rotation in view axes, and all below it.
 void turn_node(const LineProblem& problem, LineState& state, int i, const Quat& rotation) {
   const auto at = static_cast<std::size_t>(i);
@@ -28,7 +23,7 @@ void turn_node(const LineProblem& problem, LineState& state, int i, const Quat& 
 Vec3 wanted_bone(const LineProblem& problem, const LinePath& path, const std::vector<double>& along,
                  const LineState& state, std::size_t k, int sign) {
   const Vec3& x = state.position[static_cast<std::size_t>(path.nodes[k])];
-  const Vec2 chord = (path.curve.at(along[k + 1]) - path.curve.at(along[k])) / magnification(problem, x);
+  const Vec2 chord = (path.curve.at(along[k + 1]) - path.curve.at(along[k])) / problem.magnification(x);
   const double length = path.bones[k], flat = chord.norm();
   const double depth = std::sqrt(std::max(0.0, length * length - flat * flat));
   const double side = sign != 0 ? sign : (path.start_depth[k] < 0.0 ? -1.0 : 1.0);
@@ -43,7 +38,7 @@ void measure_bones(const LineProblem& problem, const LinePath& path, std::vector
     const Vec3 middle = 0.5 * (problem.nodes[static_cast<std::size_t>(path.nodes[k])].start +
                                problem.nodes[static_cast<std::size_t>(path.nodes[k + 1])].start);
     const double ratio = path.bones[k] > 0.0 ? std::abs(path.start_depth[k]) / path.bones[k] : 0.0;
-    bones.push_back({path.bones[k] * magnification(problem, middle), ratio});
+    bones.push_back({path.bones[k] * problem.magnification(middle), ratio});
   }
 }
 
@@ -60,7 +55,7 @@ void lay_on_chords(const LineProblem& problem, std::span<const std::vector<int>>
     const auto position = [&](std::size_t k) { return state.position[static_cast<std::size_t>(path.nodes[k])]; };
     if (problem.moves && index == 0) {
       const Vec3 x = position(top);
-      const Vec2 wanted = path.curve.at(along[top]) / magnification(problem, x);
+      const Vec2 wanted = path.curve.at(along[top]) / problem.magnification(x);
       state.shift.head<2>() += wanted - x.head<2>();
       problem.update(state);
     }

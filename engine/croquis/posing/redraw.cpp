@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "croquis/math/rotation.h"
+#include "croquis/posing/extract_line.h"
 
 namespace croquis {
 namespace {
@@ -15,15 +16,20 @@ double distance_from_own(const LineProblem& problem, const LinePath& path) {
   std::vector<Vec2> joints;
   for (const int node : path.nodes)
     joints.push_back(problem.project(problem.nodes[static_cast<std::size_t>(node)].start));
-  const Polyline2 own(std::move(joints));
-  if (!(own.length() > 0.0)) return 1.0;
-  double sum = 0.0;
-  constexpr int kPoints = 129;
-  for (int i = 0; i < kPoints; ++i) {
-    const double part = static_cast<double>(i) / (kPoints - 1);
-    sum += (path.curve.at(part * path.curve.length()) - own.at(part * own.length())).squaredNorm();
+  const Polyline2 pieces(joints);
+  if (!(pieces.length() > 1e-6)) return 1.0;
+  const Polyline2 curve = curve_through(joints, 257);
+  double nearest = 1.0;
+  for (const Polyline2* own : {&pieces, &curve}) {
+    double sum = 0.0;
+    constexpr int kPoints = 129;
+    for (int i = 0; i < kPoints; ++i) {
+      const double part = static_cast<double>(i) / (kPoints - 1);
+      sum += (path.curve.at(part * path.curve.length()) - own->at(part * own->length())).squaredNorm();
+    }
+    nearest = std::min(nearest, std::sqrt(sum / kPoints));
   }
-  return std::sqrt(sum / kPoints);
+  return nearest;
 }
 
 }  // namespace

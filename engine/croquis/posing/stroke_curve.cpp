@@ -15,23 +15,25 @@ StrokeCurve::StrokeCurve() {
   sums_.resize(kKnots + 1);
 }
 
-void StrokeCurve::assign(const std::vector<Vec2>& points, const Vec2& scale, const Vec2& offset) {
-  const auto place = [&](const Vec2& p) { return Vec2(scale.cwiseProduct(p) + offset); };
+void StrokeCurve::assign(std::span<const Vec2> points, const Vec2& scale, const Vec2& offset, bool reversed) {
+  const auto at_index = [&](std::size_t i) {
+    return Vec2(scale.cwiseProduct(points[reversed ? points.size() - 1 - i : i]) + offset);
+  };
   length_ = 0.0;
-  for (std::size_t i = 1; i < points.size(); ++i) length_ += (place(points[i]) - place(points[i - 1])).norm();
+  for (std::size_t i = 1; i < points.size(); ++i) length_ += (at_index(i) - at_index(i - 1)).norm();
   if (!(length_ > 0.0) || !std::isfinite(length_)) throw_invalid_argument("line solver: the stroke has no length");
   step_ = length_ / (kKnots - 1);
   std::size_t segment = 1;
-  double before = 0.0, span = (place(points[1]) - place(points[0])).norm();
+  double before = 0.0, span = (at_index(1) - at_index(0)).norm();
   for (int k = 0; k < kKnots; ++k) {
     const double s = step_ * k;
     while (segment + 1 < points.size() && before + span < s) {
       before += span;
       ++segment;
-      span = (place(points[segment]) - place(points[segment - 1])).norm();
+      span = (at_index(segment) - at_index(segment - 1)).norm();
     }
     const double t = span > 0.0 ? std::clamp((s - before) / span, 0.0, 1.0) : 0.0;
-    const Vec2 a = place(points[segment - 1]), b = place(points[segment]);
+    const Vec2 a = at_index(segment - 1), b = at_index(segment);
     knots_[static_cast<std::size_t>(k)] = a + t * (b - a);
   }
   finish();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "croquis/math/polyline.h"
@@ -17,8 +18,8 @@ class StrokeCurve {
   StrokeCurve();
 
   /// Takes the shape of `line`, each point p as scale * p + offset per axis (scale.y may be negative: pixels grow
-  /// downward). The polyline must have a length.
-  void assign(const std::vector<Vec2>& points, const Vec2& scale, const Vec2& offset);
+  /// downward), from its last point to its first if `reversed`. Throws invalid_argument if it has no length.
+  void assign(std::span<const Vec2> points, const Vec2& scale, const Vec2& offset, bool reversed = false);
 
   [[nodiscard]] double length() const { return length_; }
   [[nodiscard]] Vec2 at(double s) const;
