@@ -98,12 +98,12 @@ TEST(SolverOptionsOfSettings, FollowTheirWords) {
   StrokeSettings settings;
   settings.method = "line";
   EXPECT_TRUE(is_line_method(settings));
-  EXPECT_FALSE(solver_options(settings).free_root) << "lock is what a stroke says by itself";
+  EXPECT_TRUE(solver_options(settings).lock_root) << "lock is what a stroke says by itself";
   settings.root = "tangent";
   settings.length = "scale";
   settings.move = "body";
   settings.direction = "backward";
-  EXPECT_TRUE(solver_options(settings).free_root);
+  EXPECT_FALSE(solver_options(settings).lock_root);
   EXPECT_TRUE(solver_options(settings).move_body);
   EXPECT_EQ(solver_options(settings).length, LengthPolicy::scale);
   EXPECT_EQ(solver_direction(settings), LineInput::Direction::backward);

@@ -107,7 +107,7 @@ MatchOptions match_options(const StrokeSettings& settings) {
 
 LineSolverOptions solver_options(const StrokeSettings& settings) {
   LineSolverOptions options;
-  options.free_root = look_up<bool>("root", settings.root, {{"lock", false}, {"tangent", true}, {"free", true}});
+  options.lock_root = look_up<bool>("root", settings.root, {{"lock", true}, {"tangent", false}, {"free", false}});
   options.length =
       look_up<LengthPolicy>("length", settings.length, {{"fit", LengthPolicy::fit}, {"scale", LengthPolicy::scale}});
   options.move_body = look_up<bool>("move", settings.move, {{"line", false}, {"body", true}});

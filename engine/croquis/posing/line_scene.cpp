@@ -45,6 +45,13 @@ Mat3 orthogonal_part(const Mat3& m, bool& even) {
   return svd.matrixU() * svd.matrixV().transpose();
 }
 
+void check_weights(const char* what, const std::vector<double>& weights) {
+  for (const double weight : weights) {
+    if (weight >= 0.0 && std::isfinite(weight)) continue;
+    throw_invalid_argument(std::string("line solver: ") + what + " is " + format_double(weight) + ", wanted 0 or more");
+  }
+}
+
 void check_inputs(const Skeleton& skeleton, const Pose& start, const std::vector<LineInput>& inputs) {
   if (inputs.empty()) throw_invalid_argument("line solver: got no line, wanted at least one");
   if (std::ssize(start.local) != skeleton.joint_count()) {
@@ -64,12 +71,36 @@ void check_inputs(const Skeleton& skeleton, const Pose& start, const std::vector
                              std::to_string(input.line.joints.size()) + " joints, but importance for " +
                              std::to_string(input.importance.size()));
     }
-    for (const double weight : input.importance) {
-      if (!(weight >= 0.0 && std::isfinite(weight))) {
-        throw_invalid_argument("line solver: importance is " + format_double(weight) + ", wanted 0 or more");
-      }
+    if (!input.pressure.empty() && input.pressure.size() != input.stroke.points().size()) {
+      throw_invalid_argument("line solver: the stroke of line \"" + printable(input.line.name) + "\" has " +
+                             std::to_string(input.stroke.points().size()) + " points, but pressure for " +
+                             std::to_string(input.pressure.size()));
     }
+    check_weights("importance", input.importance);
+    check_weights("pressure", input.pressure);
+    check_weights("weight", {input.weight});
   }
+}
+
+/// How much each joint heeds its stroke: as asked for, as the pen pressed where the joint lies by the bones' lengths,
+/// and as the line counts against others. (Pressure read where a joint slides to would draw joints to weak ink.)
+std::vector<double> heed(const LineInput& input, const std::vector<double>& bones) {
+  std::vector<double> result(bones.size() + 1, input.weight);
+  double total = 0.0, along = 0.0;
+  for (const double bone : bones) total += bone;
+  for (std::size_t k = 0; k < result.size(); ++k) {
+    if (!input.importance.empty()) result[k] *= input.importance[k];
+    if (!input.pressure.empty()) {
+      const double part = total > 0.0 ? along / total : 0.0;
+      const double at = input.direction == LineInput::Direction::backward ? 1.0 - part : part;
+      const auto& arc = input.stroke.arc();
+      const auto after = std::upper_bound(arc.begin(), arc.end(), at * input.stroke.length());
+      const std::size_t i = std::min(static_cast<std::size_t>(after - arc.begin()), arc.size() - 1);
+      result[k] *= input.pressure[i];
+    }
+    if (k < bones.size()) along += bones[k];
+  }
+  return result;
 }
 
 }  // namespace
@@ -128,7 +159,7 @@ void LineScene::add_nodes(const std::vector<LineInput>& inputs, const LineSolver
     const auto top = std::min_element(joints.begin(), joints.end());
     const bool holds_root =
         std::find(joints.begin(), joints.end(), body_root_) != joints.end() || skeleton_.is_ancestor(*top, body_root_);
-    problem.moves = problem.moves || (options.free_root && (holds_root || options.move_body));
+    problem.moves = problem.moves || (!options.lock_root && (holds_root || options.move_body));
     // The joints that bend the line: all that have a joint of the line below them on it.
     for (auto joint = joints.begin(); joint != joints.end(); ++joint) {
       if (joint == top || (joint < top ? joint != joints.begin() : joint + 1 != joints.end())) {
@@ -158,7 +189,7 @@ void LineScene::add_nodes(const std::vector<LineInput>& inputs, const LineSolver
       turns[at] = joint != pin.joint;
     }
   }
-  if (!options.free_root) turns[static_cast<std::size_t>(body_root_)] = false;
+  if (options.lock_root) turns[static_cast<std::size_t>(body_root_)] = false;
 
   node_of_.assign(wanted.size(), -1);
   for (int joint = 0; joint < skeleton_.joint_count(); ++joint) {
@@ -192,8 +223,7 @@ void LineScene::add_path(const LineInput& input) {
     path.bones.push_back(bone.norm());
     path.start_depth.push_back(bone.z());
   }
-  path.importance = input.importance;
-  if (path.importance.empty()) path.importance.assign(path.nodes.size(), 1.0);
+  path.importance = heed(input, path.bones);
   set_stiffness(path);
   add_shares(path);
   problem.paths.push_back(std::move(path));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "croquis/base/error.h"
 #include "croquis/base/text.h"
 #include "croquis/math/rotation.h"
 #include "croquis/posing/correspondence.h"
@@ -61,13 +62,15 @@ Solution solve_scene(const LineScene& scene, LineDescent& descent, const LineSol
   return best;
 }
 
-/// The pin that the pose misses by more than 1e-4 of the body's size, in words; empty if all hold.
-std::string missed_pin(const Skeleton& skeleton, const std::vector<PosePin>& pins, const Pose& pose) {
+/// The joint that misses its pin farthest, by more than 1e-4 of the body's size, in words; empty if all hold.
+std::string missed_pin(const Skeleton& skeleton, const std::vector<PosePin>& pins, const Pose& pose,
+                       std::vector<int>& missed) {
   const std::vector<Vec3> positions = compute_positions(skeleton, pose);
   double worst = 1e-4 * skeleton.extent();
   std::string text;
   for (const PosePin& pin : pins) {
     const double miss = (positions[static_cast<std::size_t>(pin.joint)] - pin.position).norm();
+    if (miss > 1e-4 * skeleton.extent()) missed.push_back(pin.joint);
     if (miss <= worst) continue;
     worst = miss;
     text = "joint " + printable(skeleton.reference(pin.joint)) + " could not be held: it is " + format_double(miss, 3) +
@@ -82,7 +85,7 @@ void fill_report(const LineScene& scene, const Solution& solution, const std::ve
   result.report.iterations = solution.report.iterations;
   result.report.residual = solution.report.energy;
   result.bone_length_drift = bone_length_drift(skeleton, start, result.pose);
-  const std::string missed = missed_pin(skeleton, options.pins, result.pose);
+  const std::string missed = missed_pin(skeleton, options.pins, result.pose, result.pins_missed);
   if (!scene.scales_evenly() && result.bone_length_drift > 1e-9) {
     result.report.status = "bone lengths changed by up to " + format_double(100.0 * result.bone_length_drift, 3) +
                            " %: a joint above them is scaled unevenly";
@@ -143,6 +146,13 @@ LineSolverResult solve_lines(const Skeleton& skeleton, const HumanoidMap& humano
   scene.write_pose(best.state, result.pose);
   fill_report(scene, best, inputs, options, skeleton, start, camera, result);
   return result;
+}
+
+std::vector<LineSolverResult> solve_alternatives(const Skeleton& skeleton, const HumanoidMap& humanoid,
+                                                 const Pose& start, const std::vector<LineInput>& inputs,
+                                                 const Camera& camera, const LineSolverOptions& options, int count) {
+  if (count < 1) throw_invalid_argument("line solver: wanted " + std::to_string(count) + " poses, at least one");
+  return {solve_lines(skeleton, humanoid, start, inputs, camera, options)};
 }
 
 }  // namespace croquis
