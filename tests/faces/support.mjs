@@ -26,8 +26,8 @@ export function makeFolder() {
   return folder;
 }
 
-/** Runs the program: at most 20 s and 4 GB of address space (which AddressSanitizer's own shadow exceeds). */
-export function croquis(args, { cwd = makeFolder(), seconds = sanitized ? 120 : 20 } = {}) {
+/** Runs the program: in bounded time and 4 GB of address space (which AddressSanitizer's own shadow exceeds). */
+export function croquis(args, { cwd = makeFolder(), seconds = 120 } = {}) {
   const limit = sanitized ? '' : 'ulimit -v 4194304; ';
   const run = spawnSync('bash', ['-c', `${limit}exec "$0" "$@"`, program, ...args],
     { cwd, encoding: 'utf8', timeout: seconds * 1000, maxBuffer: 1 << 28 });
