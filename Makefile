@@ -28,13 +28,15 @@ demo: build
 	@echo 'See out/demo.png, and open out/demo.glb in any viewer'
 
 test:
-	@tools/setup.sh program tests npm
+	@tools/setup.sh program tests npm page browser
 	@tools/test.sh $(JOBS)
 
 studio:
-	@tools/setup.sh program tests npm
+	@tools/setup.sh program page
 	@tools/build_studio.sh $(JOBS)
-	@cd faces/studio && npx vite preview --outDir ../../build/studio --host 127.0.0.1
+	@cmake --preset release -DCROQUIS_TESTS=OFF >/dev/null
+	@cmake --build build/release --target croquis -j $(JOBS)
+	@build/release/croquis studio
 
 bench:
 	@tools/setup.sh program bench

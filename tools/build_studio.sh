@@ -8,5 +8,4 @@ cmake --build build/wasm --target croquis_wasm -j "${1:-2}"
 mkdir -p faces/studio/wasm
 cp build/wasm/studio-engine/croquis.mjs build/wasm/studio-engine/croquis.wasm faces/wasm/croquis.d.mts faces/studio/wasm/
 cd faces/studio
-[ -d node_modules/vite ] || npm ci --no-audit --no-fund
 npm run build

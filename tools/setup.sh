@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs what a target of the Makefile lacks, and nothing where nothing is lacking: Debian packages through apt-get
 # (as root or through sudo), npm packages into node_modules.
-# usage: tools/setup.sh GROUP...   groups: program tests bench fuzz format npm browser
+# usage: tools/setup.sh GROUP...   groups: program tests bench fuzz format npm page browser
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -13,7 +13,8 @@ packages_of() {
     bench)   echo libbenchmark-dev ;;
     fuzz)    echo ninja-build libeigen3-dev nlohmann-json3-dev libstb-dev clang-14 libclang-rt-14-dev ;;
     format)  echo clang-format-14 ;;
-    browser) echo chromium emscripten ;;
+    page)    echo ccache emscripten ninja-build libeigen3-dev nlohmann-json3-dev libstb-dev ;;
+    browser) echo chromium fonts-dejavu-core ;;
     npm)     ;;
     *)       echo "tools/setup.sh: no group '$1'" >&2; exit 2 ;;
   esac
@@ -26,12 +27,13 @@ commands_of() {
     tests)   echo node:nodejs ;;
     fuzz)    echo cmake:cmake ;;
     npm)     echo node:nodejs npm:npm ;;
+    page)    echo node:nodejs npm:npm cmake:cmake ;;
     *)       ;;
   esac
 }
 
 lacking=''
-want_npm=no
+npm_folders=''
 for group in "$@"; do
   listed=$(packages_of "$group")
   for package in $listed; do
@@ -41,7 +43,8 @@ for group in "$@"; do
   for pair in $(commands_of "$group"); do
     command -v "${pair%%:*}" >/dev/null 2>&1 || lacking="$lacking ${pair#*:}"
   done
-  [ "$group" != npm ] || want_npm=yes
+  [ "$group" != npm ] || npm_folders="$npm_folders ."
+  [ "$group" != page ] || npm_folders="$npm_folders faces/studio"
 done
 
 if [ -n "$lacking" ]; then
@@ -68,8 +71,10 @@ if [ -n "$lacking" ]; then
   $as_root env DEBIAN_FRONTEND=noninteractive $install -qq
 fi
 
-if [ $want_npm = yes ] && ! cmp -s package-lock.json node_modules/.croquis-lock; then
-  echo "Installing with npm: $(sed -n 's/^ *"\([a-z@/-]*\)": "[0-9][^"]*",*$/\1/p' package.json | tr '\n' ' ')"
-  npm ci --no-audit --no-fund
-  cp package-lock.json node_modules/.croquis-lock
-fi
+for folder in $npm_folders; do
+  if ! cmp -s "$folder/package-lock.json" "$folder/node_modules/.croquis-lock"; then
+    echo "Installing with npm for $folder/package.json"
+    (cd "$folder" && npm ci --no-audit --no-fund)
+    cp "$folder/package-lock.json" "$folder/node_modules/.croquis-lock"
+  fi
+done

@@ -21,5 +21,6 @@ struct Command {
 [[nodiscard]] Command add_render_command(CLI::App& program);
 [[nodiscard]] Command add_convert_command(CLI::App& program);
 [[nodiscard]] Command add_character_command(CLI::App& program);
+[[nodiscard]] Command add_studio_command(CLI::App& program);
 
 }  // namespace croquis::cli

@@ -35,6 +35,8 @@ function listen(studio: Studio): void {
   const { gestures } = studio;
   let space = false;
   const sample = (event: PointerEvent) => sampleOf(event, space);
+  // The table shows that it has the focus to those who walk with Tab, not to those who draw.
+  window.addEventListener('pointerdown', () => delete document.documentElement.dataset['keys'], true);
   canvas.addEventListener('pointerdown', (event) => {
     if (gestures.pointerDown(sample(event))) canvas.setPointerCapture(event.pointerId);
     canvas.focus({ preventScroll: true });
@@ -60,6 +62,7 @@ function listen(studio: Studio): void {
       event.preventDefault();
     }
     if (event.key === 'Escape') gestures.cancel();
+    if (event.key === 'Tab') document.documentElement.dataset['keys'] = 'true';
     const action = byKey.get(keyOf(event));
     const plain = !event.ctrlKey && !event.metaKey && !event.altKey;
     if (!action || inText || dialog.value !== 'none' || (plain && event.target instanceof HTMLSelectElement)) return;
@@ -89,11 +92,12 @@ function listen(studio: Studio): void {
 }
 
 async function start(): Promise<void> {
+  const query = new URLSearchParams(location.search);
   const backdrop = element<HTMLDivElement>('backdrop');
   const journal = await openJournal(() => studio?.table.tell(t('storageFailed'), 'error'));
   let studio: Studio | null = null;
   try {
-    studio = new Studio(startEngine(), journal, element('table'), element('glass'));
+    studio = new Studio(startEngine(), journal, element('table'), element('glass'), query.get('quality') === 'draft' ? 'draft' : 'full');
   } catch (error) {
     element('loading').textContent = `${t('noWebgl')} ${(error as Error).message}`;
     return;
@@ -111,7 +115,7 @@ async function start(): Promise<void> {
   await ready.start();
   element('loading').hidden = true;
   document.documentElement.dataset['ready'] = 'true';
-  if (new URLSearchParams(location.search).has('perf')) startMeter(ready, element('panels'));
+  if (query.has('perf')) startMeter(ready, element('panels'));
   if ('serviceWorker' in navigator && import.meta.env.PROD) await navigator.serviceWorker.register('./service-worker.js');
 }
 

@@ -6,14 +6,14 @@ import type { EngineClient } from './engine/client';
 import type { ActorInfo, CameraSpec, Command, ExportFormat, PoseFrame, Sample, StrokeInfo, TableState, Vec3 } from './engine/protocol';
 import { t } from './i18n/strings';
 import type { Journal } from './model/journal';
-import { dark, showSkeleton } from './model/prefs';
+import { dark, leftHanded, showSkeleton } from './model/prefs';
 import { Table } from './model/table';
 import { DragTool, RotateTool, SelectTool, type BodyContext } from './tools/body_tools';
 import { distanceTo, DrawTool, type DrawContext } from './tools/draw_tool';
 import { Gestures } from './tools/gestures';
 import type { Tool, ToolName } from './tools/tool';
 import { InkLayer, type InkLine, type Marker, toPoints } from './view/ink';
-import { Stage } from './view/stage';
+import { Stage, type Quality } from './view/stage';
 
 const INK = { light: '#8c2f1b', dark: '#ff9d7a' };
 const INK_QUIET = { light: 'rgba(90,60,45,0.45)', dark: 'rgba(255,220,200,0.4)' };
@@ -28,16 +28,16 @@ export class Studio {
   readonly tool = signal<ToolName>('draw');
   readonly drawingNow = signal(false);
   readonly backdrop = signal<{ url: string; opacity: number } | null>(null);
-  readonly light = signal({ heading: 0.6, elevation: 0.9 });
+  readonly light = signal({ heading: -0.42, elevation: 0.91 });
   private readonly tools: Record<ToolName, Tool>;
   private live: { samples: Sample[]; editing: number | null } | null = null;
   private hovered: number | null = null;
   private copied: { pose: string } | null = null;
   private size = { width: 1, height: 1 };
 
-  constructor(engine: EngineClient, journal: Journal, canvas: HTMLCanvasElement, glass: HTMLCanvasElement) {
+  constructor(engine: EngineClient, journal: Journal, canvas: HTMLCanvasElement, glass: HTMLCanvasElement, quality: Quality = 'full') {
     this.table = new Table(engine, journal);
-    this.stage = new Stage(canvas);
+    this.stage = new Stage(canvas, quality);
     this.ink = new InkLayer(glass);
     const body = this.bodyContext();
     this.tools = {
@@ -62,7 +62,7 @@ export class Studio {
     this.table.onFrames = (frames) => this.showFrames(frames);
     this.stage.onDrawn = () => this.drawInk();
     effect(() => {
-      this.stage.setTheme(dark.value ? { paper: '#24211e', ground: '#3a342e', grid: '#4a443c' } : { paper: '#f4efe6', ground: '#fffdf8', grid: '#d8cfbf' });
+      this.stage.setTheme(dark.value ? { paper: '#24211e', shade: '#0b0908', strength: 0.75 } : { paper: '#f7f2e8', shade: '#3a3026', strength: 0.5 });
     });
     effect(() => this.stage.setLight(this.light.value.heading, this.light.value.elevation));
     effect(() => {
@@ -88,6 +88,16 @@ export class Studio {
     const ratio = Math.min(2, devicePixelRatio || 1);
     this.stage.resize(width, height, ratio);
     this.ink.resize(width, height, ratio);
+  }
+
+  /** What the panels cover, so that characters are framed beside them. */
+  setInsets(panelsOpen: boolean): void {
+    const wide = this.size.width >= 900;
+    const [tools, panels] = [84, panelsOpen && wide ? 308 : 20];
+    const [left, right] = leftHanded.value ? [panels, tools] : [tools, panels];
+    this.stage.insets = { left, right, top: 76, bottom: 100 };
+    document.documentElement.style.setProperty('--left', `${left}px`);
+    document.documentElement.style.setProperty('--right', `${right}px`);
   }
 
   choose(tool: ToolName): void {
@@ -135,7 +145,7 @@ export class Studio {
   }
 
   picture(width: number, height: number, transparent: boolean, strokes: boolean): Promise<Blob | null> {
-    const canvas = this.stage.snapshot(width, height, transparent, dark.value ? '#24211e' : '#f4efe6');
+    const canvas = this.stage.snapshot(width, height, transparent, dark.value ? '#24211e' : '#f7f2e8');
     if (strokes) {
       const scale = Math.min(width / this.size.width, height / this.size.height);
       const context = canvas.getContext('2d')!;
@@ -179,13 +189,19 @@ export class Studio {
     await this.table.run({ name: 'apply_pose', actor: this.table.actor.value, pose: this.copied.pose, strength: 1, flipped });
   }
 
-  /** A small picture of each pose of a list, by rendering the character in it. */
-  async thumbnail(pose: string): Promise<string> {
+  /** Small pictures of poses, as they look on the current character; empty where it cannot take one. */
+  async thumbnails(poses: { pose: string; hand: boolean }[]): Promise<string[]> {
     const actor = this.table.actor.value;
     const view = this.stage.characters.get(actor);
-    if (!view) return '';
-    const frame = await this.table.engine.query<{ joints: number[] }>('pose_joints', { actor, pose });
-    return stickPicture(frame.joints, view.info, this.stage.rig.state.heading);
+    if (!view) return [];
+    const commands = poses.map(({ pose }): Command => ({ name: 'apply_pose', actor, pose, strength: 1, flipped: false }));
+    const frames = await this.table.engine.poseFrames(commands);
+    const hand = view.info.joints.flatMap((joint, i) => (/^left(Hand|Thumb|Index|Middle|Ring|Little)/.test(joint.bone) ? [i] : []));
+    const wanted = frames.flatMap((frame, i) => (frame ? [{ frame, focus: poses[i]!.hand ? hand : [], i }] : []));
+    const pictures = this.stage.thumbnails(actor, wanted, 144);
+    const urls = poses.map(() => '');
+    wanted.forEach(({ i }, k) => (urls[i] = pictures[k]?.toDataURL('image/png') ?? ''));
+    return urls;
   }
 
   private drawContext(): DrawContext {
@@ -388,7 +404,7 @@ function sideOf(name: string): 'left' | 'right' | 'middle' {
 
 function cameraOf(spec: CameraSpec): THREE.Camera {
   const aspect = spec.width / spec.height_px;
-  const half = spec.height / 2;
+  const half = spec.projection === 'orthographic' ? spec.height / 2 : 0;
   const far = 1e3 * Math.hypot(...(spec.position.map((p, i) => p - spec.target[i]!) as Vec3));
   const camera =
     spec.projection === 'orthographic'
@@ -400,46 +416,4 @@ function cameraOf(spec: CameraSpec): THREE.Camera {
   camera.updateProjectionMatrix();
   camera.updateMatrixWorld();
   return camera;
-}
-
-/** A pose as a small ink figure, seen from the present heading: quick enough to make dozens of. */
-function stickPicture(joints: number[], info: ActorInfo, heading: number): string {
-  const canvas = document.createElement('canvas');
-  canvas.width = canvas.height = 128;
-  const context = canvas.getContext('2d')!;
-  const points = info.joints.map((_, i) => ({
-    x: joints[3 * i]! * Math.cos(heading) - joints[3 * i + 2]! * Math.sin(heading),
-    y: -joints[3 * i + 1]!,
-  }));
-  const drawn = info.joints.map((joint) => !joint.helper);
-  const used = points.filter((_, i) => drawn[i]);
-  const box = {
-    left: Math.min(...used.map((p) => p.x)),
-    right: Math.max(...used.map((p) => p.x)),
-    top: Math.min(...used.map((p) => p.y)),
-    bottom: Math.max(...used.map((p) => p.y)),
-  };
-  const scale = 104 / Math.max(box.right - box.left, box.bottom - box.top, 1e-6);
-  const place = (p: { x: number; y: number }) => ({
-    x: 64 + (p.x - (box.left + box.right) / 2) * scale,
-    y: 64 + (p.y - (box.top + box.bottom) / 2) * scale,
-  });
-  context.lineCap = 'round';
-  info.joints.forEach((joint, i) => {
-    if (!drawn[i] || joint.parent < 0 || !drawn[joint.parent]) return;
-    const [a, b] = [place(points[joint.parent]!), place(points[i]!)];
-    context.strokeStyle = { left: '#b4532a', right: '#2f6f9f', middle: '#4a4038' }[sideOf(joint.bone || joint.name)];
-    context.lineWidth = Math.max(2, Math.min(9, 0.28 * Math.hypot(b.x - a.x, b.y - a.y)));
-    context.beginPath();
-    context.moveTo(a.x, a.y);
-    context.lineTo(b.x, b.y);
-    context.stroke();
-    if (joint.bone === 'head') {
-      context.beginPath();
-      context.arc(b.x, b.y - 5, 7, 0, 7);
-      context.fillStyle = '#4a4038';
-      context.fill();
-    }
-  });
-  return canvas.toDataURL('image/png');
 }

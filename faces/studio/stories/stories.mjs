@@ -163,12 +163,15 @@ function brokenFile() {
 }
 
 async function saved(visit, format) {
-  return Buffer.from(
-    await visit.page.evaluate(async (f) => {
-      const { table, stage } = globalThis.croquis;
-      return [...(await table.engine.export(f, table.actor.value, { camera: stage.rig.toSpec() }))];
-    }, format),
-  );
+  const text = await visit.page.evaluate(async (f) => {
+    const { table, stage } = globalThis.croquis;
+    const bytes = await table.engine.export(f, table.actor.value, { camera: stage.rig.toSpec() });
+    const reader = new FileReader();
+    reader.readAsDataURL(new Blob([bytes]));
+    await new Promise((done) => (reader.onload = done));
+    return reader.result;
+  }, format);
+  return Buffer.from(text.slice(text.indexOf(',') + 1), 'base64');
 }
 
 story('every format is exported, GLB and VRM pass the validator, the picture is not flat', {}, async (visit) => {
@@ -294,6 +297,7 @@ story('a frame costs one palette upload a character and few draw calls', {}, asy
       const { stage } = globalThis.croquis;
       return { uploads: [...stage.characters.values()].map((c) => c.palette.uploads), frames: stage.stats.frames, calls: stage.stats.drawCalls };
     });
+  await visit.page.waitForFunction(() => document.querySelector('.pose-card') && !document.querySelector('.pose-card .blank'), null, { timeout: 60_000 });
   const before = await counts();
   const actor = (await visit.state()).actors[0].id;
   await visit.run({ name: 'reset', actor, joints: [], amount: 0.5 });
@@ -308,6 +312,7 @@ story('screenshots for the README', {}, async (visit) => {
   await visit.draw(await lean(visit, 120));
   for (const [name, width, height] of [['studio_desktop', 1440, 900], ['studio_tablet', 1024, 768]]) {
     await visit.page.setViewportSize({ width, height });
+    await visit.settled();
     await visit.page.evaluate(() => globalThis.croquis.frameSelected());
     await visit.settled();
     const shot = await visit.page.screenshot({ path: join(ROOT, `build/screenshots/${name}.png`) });

@@ -7,7 +7,7 @@ import { extname, join, resolve } from 'node:path';
 import { chromium } from 'playwright-core';
 
 export const ROOT = resolve(import.meta.dirname ?? new URL('.', import.meta.url).pathname, '../../..');
-const PAGE = join(ROOT, 'build/studio');
+const PAGE = process.env.CROQUIS_PAGE ?? join(ROOT, 'build/studio');
 export const DATA = [process.env.CROQUIS_DATA, join(ROOT, '../shared/data')].find((path) => path && existsSync(path));
 const TYPES = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.wasm': 'application/wasm', '.svg': 'image/svg+xml', '.png': 'image/png', '.webmanifest': 'application/manifest+json' };
 
@@ -25,7 +25,7 @@ export function servePage() {
 export const launch = () =>
   chromium.launch({
     executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
-    args: ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'],
+    args: ['--no-sandbox', '--disable-dev-shm-usage', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'],
   });
 
 /** A fresh browser profile with the studio open. Every fault the page reports ends up in `faults`. */
@@ -43,7 +43,8 @@ export class Visit {
     this.faults = [];
   }
 
-  async load(query = '') {
+  /** In draft quality, unless a story is about the picture: software rendering is slow. */
+  async load(query = '?quality=draft') {
     this.page = await this.context.newPage();
     this.page.on('console', (message) => message.type() === 'error' && this.faults.push(message.text()));
     this.page.on('pageerror', (error) => this.faults.push(String(error)));
@@ -124,9 +125,11 @@ export class Visit {
     }, [bytes, name]);
     const before = await this.page.evaluate(() => globalThis.croquis.table.toasts.value.at(-1)?.id ?? 0);
     await this.page.dispatchEvent('body', 'drop', { dataTransfer: handle });
-    await this.page.waitForFunction((last) => (globalThis.croquis.table.toasts.value.at(-1)?.id ?? 0) > last, before, { timeout: 30_000 });
+    // Taken as soon as it is there: it goes by itself after a while.
+    const toast = await this.page.waitForFunction((last) => globalThis.croquis.table.toasts.value.find((t) => t.id > last), before, { timeout: 60_000 });
+    const told = await toast.jsonValue();
     await this.settled();
-    return this.page.evaluate(() => globalThis.croquis.table.toasts.value.at(-1));
+    return told;
   }
 
   async contextIsAlive() {

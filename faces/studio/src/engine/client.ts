@@ -2,7 +2,7 @@
 // The page's side of the wire. Commits run in the order they were made; of previews only the newest that waits is
 // ever sent, so that a slow solve never queues up behind the pen.
 import type { Change, PartGeometry, Reply, Request } from './messages';
-import type { Command, EngineFailure, ExportFormat } from './protocol';
+import type { Command, EngineFailure, ExportFormat, PoseFrame } from './protocol';
 
 /** A failure in the engine's words. */
 export class EngineError extends Error {
@@ -68,6 +68,11 @@ export class EngineClient {
   cancelPreview(): Promise<Change> {
     this.newestPreview = null;
     return this.send({ kind: 'cancel' }) as Promise<Change>;
+  }
+
+  /** How an actor would stand after each command; null where the command fails. Nothing is changed or shown. */
+  poseFrames(commands: Command[]): Promise<(PoseFrame | null)[]> {
+    return this.send({ kind: 'pose_frames', commands }) as Promise<(PoseFrame | null)[]>;
   }
 
   geometry(actor: number, part: number): Promise<PartGeometry> {

@@ -19,6 +19,7 @@ export type Request =
   | { kind: 'commit'; command: Command; bytes?: Uint8Array }
   | { kind: 'preview'; command: Command }
   | { kind: 'cancel' }
+  | { kind: 'pose_frames'; commands: Command[] }
   | { kind: 'undo' }
   | { kind: 'redo' }
   | { kind: 'geometry'; actor: number; part: number }

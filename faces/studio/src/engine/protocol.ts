@@ -7,16 +7,17 @@ export type Vec3 = [number, number, number];
 /** x, y, z, w. */
 export type Quat = [number, number, number, number];
 
-export interface CameraSpec {
-  projection: 'perspective' | 'orthographic';
+interface CameraPlace {
   position: Vec3;
   target: Vec3;
   up: Vec3;
-  fov_degrees: number;
-  height: number;
   width: number;
   height_px: number;
 }
+
+/** `height`: of the picture without perspective, scene units. */
+export type CameraSpec = CameraPlace &
+  ({ projection: 'perspective'; fov_degrees: number } | { projection: 'orthographic'; height: number });
 
 /** One pen sample: x, y in pixels of the stroke's camera, seconds, pressure 0..1. */
 export type Sample = [x: number, y: number, time: number, pressure: number];

@@ -1,104 +1,19 @@
 // SPDX-License-Identifier: MIT
-// The engine's side of the wire: one wasm instance, one request at a time, every failure in words.
-import createModule, { type CroquisModule, type Table } from '../../wasm/croquis.mjs';
+// The engine's side of the wire: one wasm instance, one request at a time.
+import createModule, { type Table } from '../../wasm/croquis.mjs';
 import wasmUrl from '../../wasm/croquis.wasm?url';
-import type { Change, PartGeometry, Reply, Request } from './messages';
-import type { EngineFailure, PoseFrame, Solved, TableState } from './protocol';
+import { replyTo, transfers } from './answers';
+import type { Reply, Request } from './messages';
 
-class EngineError extends Error {
-  constructor(readonly failure: EngineFailure) {
-    super(failure.message);
-  }
-}
-
-/** Every bound function answers JSON: its result, or { error: { code, message } }. */
-function parse<T>(json: string): T {
-  const answer = JSON.parse(json) as T & { error?: EngineFailure };
-  if (answer.error) throw new EngineError(answer.error);
-  return answer;
-}
-
-function frames(table: Table, actors: number[]): PoseFrame[] {
-  return actors.map((actor) => ({
-    actor,
-    palette: table.palette(actor).slice(),
-    joints: table.jointPositions(actor).slice(),
-  }));
-}
-
-function change(table: Table, json: string, started: number): Change {
-  const answer = parse<{ state?: TableState; moved: number[]; solved?: Solved; solve_ms?: number }>(json);
-  return {
-    ...(answer.state ? { state: answer.state } : {}),
-    frames: frames(table, answer.moved),
-    solved: answer.solved ?? null,
-    timing: { solve_ms: answer.solve_ms ?? 0, engine_ms: performance.now() - started },
-  };
-}
-
-function geometry(table: Table, actor: number, part: number): PartGeometry {
-  const info = parse<{ influences: number; shapes: { weight: number }[]; has_image: boolean }>(table.partInfo(actor, part));
-  const floats = (what: string, shape = -1): Float32Array => (table.buffer(actor, part, what, shape) as Float32Array).slice();
-  return {
-    positions: floats('positions'),
-    normals: floats('normals'),
-    uvs: floats('uvs'),
-    triangles: (table.buffer(actor, part, 'triangles', -1) as Uint32Array).slice(),
-    joint_indices: (table.buffer(actor, part, 'joint_indices', -1) as Uint16Array).slice(),
-    weights: floats('weights'),
-    influences: info.influences,
-    shapes: info.shapes.map((shape, i) => ({
-      positions: floats('shape_positions', i),
-      normals: floats('shape_normals', i),
-      weight: shape.weight,
-    })),
-    image: info.has_image ? (table.buffer(actor, part, 'image', -1) as Uint8Array).slice() : null,
-  };
-}
-
-function answer(table: Table, request: Request): unknown {
-  const started = performance.now();
-  switch (request.kind) {
-    case 'commit':
-      return change(table, table.execute(JSON.stringify(request.command), request.bytes ?? new Uint8Array()), started);
-    case 'preview':
-      return change(table, table.preview(JSON.stringify(request.command)), started);
-    case 'cancel':
-      return change(table, table.cancelPreview(), started);
-    case 'undo':
-      return change(table, table.undo(), started);
-    case 'redo':
-      return change(table, table.redo(), started);
-    case 'restore':
-      return change(table, table.restore(request.bytes), started);
-    case 'geometry':
-      return geometry(table, request.actor, request.part);
-    case 'export': {
-      parse(table.prepareExport(request.format, request.actor, JSON.stringify(request.options)));
-      return table.exported().slice();
-    }
-    case 'query':
-      return parse(table.query(request.name, JSON.stringify(request.args)));
-  }
-}
-
-/** The buffers of a reply that can be handed over instead of copied. */
-function transfers(value: unknown): Transferable[] {
-  if (value instanceof Uint8Array || value instanceof Float32Array) return [value.buffer as ArrayBuffer];
-  const result = value as Partial<Change> & Partial<PartGeometry>;
-  if (result?.frames) return result.frames.flatMap((f) => [f.palette.buffer as ArrayBuffer, f.joints.buffer as ArrayBuffer]);
-  return [];
-}
-
-const ready: Promise<Table> = createModule({ locateFile: () => wasmUrl }).then((module: CroquisModule) => new module.Table());
+const ready: Promise<Table> = createModule({ locateFile: () => wasmUrl }).then((module) => new module.Table());
 
 self.onmessage = async (event: MessageEvent<{ id: number; request: Request }>) => {
   const { id, request } = event.data;
-  const reply: Reply = { id };
+  let reply: Reply;
   try {
-    reply.result = answer(await ready, request);
+    reply = replyTo(await ready, id, request);
   } catch (error) {
-    reply.failure = error instanceof EngineError ? error.failure : { code: 'internal', message: String(error) };
+    reply = { id, failure: { code: 'internal', message: `the engine did not start: ${String(error)}` } };
   }
   (self as unknown as Worker).postMessage(reply, transfers(reply.result));
 };

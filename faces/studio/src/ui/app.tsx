@@ -20,6 +20,9 @@ const TOOLS: [ToolName, IconName][] = [
 
 export function App({ studio, actions }: Props) {
   const [panelsOpen, setPanelsOpen] = useState(matchMedia('(min-width: 900px)').matches);
+  useEffect(() => {
+    studio.setInsets(panelsOpen);
+  }, [panelsOpen, leftHanded.value]);
   return (
     <>
       <ToolBar studio={studio} />
@@ -92,24 +95,30 @@ function Chips({ studio }: { studio: Studio }) {
     <div class="chips" role="group" aria-label={t('lineGuess')}>
       {solved.alternatives.length > 1 && <IconButton icon="previous" label={t('previousAlternative')} onClick={() => void studio.cycle(-1)} />}
       {solved.alternatives.length === 0 && <span class="chip on">{spell(solved.line.name)}</span>}
-      {solved.alternatives.map((alternative, i) => (
-        <button key={alternative.label + i} type="button" class="chip" aria-pressed={i === solved.chosen} onClick={() => void studio.chooseAlternative(i)}>
-          {spell(alternative.label)}
-        </button>
-      ))}
+      <div class="chip-list">
+        {solved.alternatives.map((alternative, i) => (
+          <button key={alternative.label + i} type="button" class="chip" aria-pressed={i === solved.chosen} onClick={() => void studio.chooseAlternative(i)}>
+            {spell(alternative.label)}
+          </button>
+        ))}
+      </div>
       {solved.alternatives.length > 1 && <IconButton icon="next" label={t('nextAlternative')} onClick={() => void studio.cycle(1)} />}
       {solved.status !== 'ok' && <span class="status">{solved.status}</span>}
     </div>
   );
 }
 
+/** Only the frame: the stage draws the view itself, into the part of its own canvas that lies under this one. */
 function MiniView({ studio }: { studio: Studio }) {
-  const canvas = useRef<HTMLCanvasElement>(null);
+  const frame = useRef<HTMLDivElement>(null);
   useEffect(() => {
-    studio.stage.setMini(canvas.current);
+    studio.stage.setMini(() => {
+      const box = frame.current?.getBoundingClientRect();
+      return box ? { x: box.x + 2, y: box.y + 2, width: box.width - 4, height: box.height - 4 } : null;
+    });
     return () => studio.stage.setMini(null);
   }, []);
-  return <canvas ref={canvas} class="mini" width={180} height={220} role="img" aria-label={t('miniView')} />;
+  return <div ref={frame} class="mini" role="img" aria-label={t('miniView')} />;
 }
 
 function Toasts({ studio }: { studio: Studio }) {

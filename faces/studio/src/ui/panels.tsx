@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-import { useEffect, useState } from 'preact/hooks';
+import { useEffect, useMemo, useState } from 'preact/hooks';
 import type { LimitPreset, Method, StrokeSettings } from '../engine/protocol';
 import { spell, t, type StringKey } from '../i18n/strings';
 import { dark, leftHanded, showMini, showSkeleton } from '../model/prefs';
@@ -371,7 +371,8 @@ export function ShelfPanel({ studio }: Props) {
       current = false;
     };
   }, [actor, kept, palette]);
-  const shown = poses.filter((pose) => pose.kind === kind);
+  const shown = useMemo(() => poses.filter((pose) => pose.kind === kind), [poses, kind]);
+  const pictures = useThumbnails(studio, shown, `${actor} ${palette}`);
   return (
     <Section title={t('shelf')} open>
       <div class="tabs" role="group" aria-label={t('shelf')}>
@@ -385,7 +386,7 @@ export function ShelfPanel({ studio }: Props) {
       <Switch label={t('flipped')} on={flipped} onChange={setFlipped} />
       <div class="shelf">
         {shown.map((pose) => (
-          <PoseCard key={pose.name} studio={studio} pose={pose} strength={strength} flipped={flipped} />
+          <PoseCard key={pose.name} studio={studio} pose={pose} picture={pictures.get(pose.kind + pose.name) ?? ''} strength={strength} flipped={flipped} />
         ))}
       </div>
       {kind === 'mine' && (
@@ -402,18 +403,7 @@ export function ShelfPanel({ studio }: Props) {
   );
 }
 
-function PoseCard({ studio, pose, strength, flipped }: Props & { pose: ShelfPose; strength: number; flipped: boolean }) {
-  const [picture, setPicture] = useState('');
-  useEffect(() => {
-    let current = true;
-    studio
-      .thumbnail(pose.pose)
-      .then((url) => current && setPicture(url))
-      .catch(() => {});
-    return () => {
-      current = false;
-    };
-  }, [pose.pose]);
+function PoseCard({ studio, pose, picture, strength, flipped }: Props & { pose: ShelfPose; picture: string; strength: number; flipped: boolean }) {
   const apply = () => void studio.table.run({ name: 'apply_pose', actor: studio.table.actor.value, pose: pose.pose, strength, flipped });
   return (
     <button type="button" class="pose-card" onClick={apply} title={pose.name}>
@@ -421,4 +411,28 @@ function PoseCard({ studio, pose, strength, flipped }: Props & { pose: ShelfPose
       <span>{pose.name}</span>
     </button>
   );
+}
+
+/** Pictures of the poses, a few at a time so that the table stays quick; none are made while the pen is down. */
+function useThumbnails(studio: Studio, poses: ShelfPose[], key: string): Map<string, string> {
+  const [pictures, setPictures] = useState(new Map<string, string>());
+  useEffect(() => {
+    let current = true;
+    const made = new Map<string, string>();
+    const work = async (): Promise<void> => {
+      for (let i = 0; i < poses.length && current; i += 6) {
+        while (studio.gestures.path !== 'idle' && current) await new Promise((later) => setTimeout(later, 200));
+        const some = poses.slice(i, i + 6);
+        const urls = await studio.thumbnails(some.map((pose) => ({ pose: pose.pose, hand: pose.kind === 'hand' })));
+        some.forEach((pose, k) => made.set(pose.kind + pose.name, urls[k] ?? ''));
+        if (current) setPictures(new Map(made));
+        await new Promise((later) => setTimeout(later, 30));
+      }
+    };
+    work().catch(() => {});
+    return () => {
+      current = false;
+    };
+  }, [poses, key]);
+  return pictures;
 }

@@ -20,6 +20,14 @@ export interface CameraState {
   orthographic: boolean;
 }
 
+/** Pixels at the edges of the picture that are covered. */
+export interface Insets {
+  left: number;
+  right: number;
+  top: number;
+  bottom: number;
+}
+
 const STEEPEST = Math.PI / 2 - 1e-4;
 
 export class CameraRig {
@@ -68,6 +76,26 @@ export class CameraRig {
     this.set({ height: this.state.height * factor });
   }
 
+  /** Puts a box into the middle of what `insets` leave of the picture. */
+  frame(box: THREE.Box3, insets: Insets): void {
+    const size = box.getSize(new THREE.Vector3());
+    const free = {
+      width: Math.max(0.2 * this.width, this.width - insets.left - insets.right),
+      height: Math.max(0.2 * this.pixels, this.pixels - insets.top - insets.bottom),
+    };
+    const { heading, elevation } = this.state;
+    const across = Math.abs(Math.cos(heading)) * size.x + Math.abs(Math.sin(heading)) * size.z;
+    const deep = Math.abs(Math.sin(heading)) * size.x + Math.abs(Math.cos(heading)) * size.z;
+    const tall = Math.abs(Math.cos(elevation)) * size.y + Math.abs(Math.sin(elevation)) * deep;
+    const perPixel = 1.12 * Math.max(tall / free.height, across / free.width, 1e-9);
+    const { x, y } = this.axes();
+    const target = box
+      .getCenter(new THREE.Vector3())
+      .addScaledVector(x, (-(insets.left - insets.right) / 2) * perPixel)
+      .addScaledVector(y, ((insets.top - insets.bottom) / 2) * perPixel);
+    this.set({ target, height: perPixel * this.pixels });
+  }
+
   /** Direction from the target to the camera. */
   private back(): THREE.Vector3 {
     const { heading, elevation } = this.state;
@@ -112,12 +140,10 @@ export class CameraRig {
     const { target, height, orthographic, focal } = this.state;
     const axes = this.axes();
     return {
-      projection: orthographic ? 'orthographic' : 'perspective',
+      ...(orthographic ? { projection: 'orthographic', height } : { projection: 'perspective', fov_degrees: focalToFov(focal) }),
       position: this.camera.position.toArray() as Vec3,
       target: target.toArray() as Vec3,
       up: axes.y.toArray() as Vec3,
-      fov_degrees: focalToFov(focal),
-      height,
       width: Math.round(this.width),
       height_px: Math.round(this.pixels),
     };
@@ -133,15 +159,11 @@ export class CameraRig {
     const vertical = Math.abs(back.y) > 1 - 1e-9;
     const up = new THREE.Vector3(...spec.up);
     const heading = vertical ? Math.atan2(-up.x * Math.sign(back.y), -up.z * Math.sign(back.y)) : Math.atan2(back.x, back.z);
-    const orthographic = spec.projection === 'orthographic';
-    this.set({
-      target,
-      heading,
-      elevation: Math.asin(Math.min(1, Math.max(-1, back.y))),
-      orthographic,
-      height: orthographic ? spec.height : 2 * distance * Math.tan((spec.fov_degrees * Math.PI) / 360),
-      ...(orthographic ? {} : { focal: fovToFocal(spec.fov_degrees) }),
-    });
+    const lens =
+      spec.projection === 'orthographic'
+        ? { orthographic: true, height: spec.height }
+        : { orthographic: false, height: 2 * distance * Math.tan((spec.fov_degrees * Math.PI) / 360), focal: fovToFocal(spec.fov_degrees) };
+    this.set({ target, heading, elevation: Math.asin(Math.min(1, Math.max(-1, back.y))), ...lens });
   }
 
   /** Screen pixels (from the canvas's top-left corner) of a point. */

@@ -2,7 +2,8 @@
 // One character on the table: its parts as meshes that share one palette.
 import * as THREE from 'three';
 import type { PartGeometry } from '../engine/messages';
-import type { ActorInfo, PartInfo, PoseFrame } from '../engine/protocol';
+import type { ActorInfo, PoseFrame } from '../engine/protocol';
+import { clayMaterial, lightAsOnPaper } from './clay_material';
 import { influenceTexture, Palette, skinThroughPalette } from './skin_material';
 
 async function imageTexture(bytes: Uint8Array): Promise<THREE.Texture> {
@@ -31,20 +32,12 @@ function bufferGeometry(part: PartGeometry): THREE.BufferGeometry {
   return geometry;
 }
 
-function litMaterial(info: PartInfo): THREE.MeshStandardMaterial {
-  const [r, g, b, a] = info.base_color;
-  const material = new THREE.MeshStandardMaterial({ roughness: 0.82, metalness: 0 });
-  material.color.setRGB(r, g, b, THREE.LinearSRGBColorSpace);
-  material.side = info.double_sided ? THREE.DoubleSide : THREE.FrontSide;
-  if (info.cut_out) material.alphaTest = 0.5;
-  else if (a < 1) Object.assign(material, { transparent: true, opacity: a });
-  return material;
-}
-
 export class CharacterView {
   readonly group = new THREE.Group();
   readonly palette: Palette;
   joints: Float32Array = new Float32Array();
+  matrices: Float32Array = new Float32Array();
+  private stands: number | null = null;
 
   constructor(readonly info: ActorInfo) {
     this.palette = new Palette(info.palette_size);
@@ -53,15 +46,15 @@ export class CharacterView {
   async addPart(index: number, part: PartGeometry): Promise<void> {
     const info = this.info.parts[index]!;
     const influences = influenceTexture(part.joint_indices, part.weights, info.palette_offset);
-    const material = litMaterial(info);
+    const material = clayMaterial(info);
     if (part.image) material.map = await imageTexture(part.image).catch(() => null);
     const mesh = new THREE.Mesh(
       bufferGeometry(part),
-      skinThroughPalette(material, this.palette, influences, part.influences),
+      skinThroughPalette(material, this.palette, influences, part.influences, lightAsOnPaper),
     );
     mesh.morphTargetInfluences = part.shapes.filter((s) => s.weight !== 0 && s.positions.length > 0).map((s) => s.weight);
     mesh.customDepthMaterial = skinThroughPalette(
-      new THREE.MeshDepthMaterial({ depthPacking: THREE.RGBADepthPacking }),
+      new THREE.MeshDepthMaterial({ side: material.side, alphaTest: material.alphaTest, map: material.map }),
       this.palette,
       influences,
       part.influences,
@@ -74,7 +67,33 @@ export class CharacterView {
 
   show(frame: PoseFrame): void {
     this.palette.set(frame.palette);
+    this.matrices = frame.palette;
     this.joints = frame.joints;
+  }
+
+  /** Joints that are part of the body, in the scene. */
+  points(among?: number[]): THREE.Vector3[] {
+    const all = among ?? this.info.joints.map((_, i) => i);
+    return all.filter((i) => !this.info.joints[i]!.helper && 3 * i < this.joints.length).map((i) => this.joint(i));
+  }
+
+  /** The box around the body as it stands: its joints, and about as much flesh as bodies have around them. */
+  bounds(among?: number[]): THREE.Box3 {
+    const box = new THREE.Box3().setFromPoints(this.points(among));
+    if (box.isEmpty()) return box;
+    if (among) return box.expandByScalar(0.1 * box.getSize(new THREE.Vector3()).length());
+    box.expandByScalar(0.03 * this.info.extent);
+    const head = this.info.joints.findIndex((joint) => joint.bone === 'head');
+    const skull = new THREE.Box3();
+    if (head >= 0) box.union(skull.setFromCenterAndSize(this.joint(head), new THREE.Vector3().setScalar(0.26 * this.info.extent)));
+    return box;
+  }
+
+  /** Height of the ground under it: zero, if it first stood about there, or lower where its pose reaches lower. */
+  floor(): number {
+    const lowest = Math.min(...this.points().map((p) => p.y));
+    this.stands ??= lowest > 0 && lowest < 0.12 * this.info.extent ? 0 : lowest;
+    return Math.min(this.stands, lowest);
   }
 
   joint(index: number, into = new THREE.Vector3()): THREE.Vector3 {

@@ -77,8 +77,10 @@ export function skinThroughPalette<M extends THREE.Material>(
   palette: Palette,
   influences: THREE.DataTexture,
   perVertex: number,
+  alsoTeach: (shader: { fragmentShader: string }) => void = () => {},
 ): M {
   material.onBeforeCompile = (shader) => {
+    alsoTeach(shader);
     shader.uniforms['croquisPalette'] = { value: palette.texture };
     shader.uniforms['croquisInfluences'] = { value: influences };
     shader.uniforms['croquisPerVertex'] = { value: perVertex };

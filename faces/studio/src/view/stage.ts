@@ -3,14 +3,26 @@
 import * as THREE from 'three';
 import type { PartGeometry } from '../engine/messages';
 import type { ActorInfo, PoseFrame } from '../engine/protocol';
-import { CameraRig } from './camera_rig';
+import { CameraRig, type Insets } from './camera_rig';
 import { CharacterView } from './character_view';
+import { Ground } from './ground';
 
 export interface StageTheme {
   paper: string;
-  ground: string;
-  grid: string;
+  shade: string;
+  strength: number;
 }
+
+/** A part of the canvas, CSS pixels from its top-left corner. */
+export interface Frame {
+  x: number;
+  y: number;
+  width: number;
+  height: number;
+}
+
+/** `draft` halves the resolution: for very slow machines, and for tests on software renderers. */
+export type Quality = 'full' | 'draft';
 
 export class Stage {
   readonly rig = new CameraRig();
@@ -18,50 +30,41 @@ export class Stage {
   readonly renderer: THREE.WebGLRenderer;
   /** Pictures drawn so far, and what the last one cost; tests and `?perf` read them. */
   readonly stats = { frames: 0, drawCalls: 0, drawMs: 0 };
+  /** What panels cover of the canvas: a character is framed in what is left. */
+  insets: Insets = { left: 0, right: 0, top: 0, bottom: 0 };
   onDrawn: () => void = () => {};
 
   private readonly scene = new THREE.Scene();
-  private readonly sun = new THREE.DirectionalLight(0xfff4e6, 2.4);
-  private readonly sky = new THREE.HemisphereLight(0xf2f6ff, 0xd9cbb8, 1.35);
-  private readonly ground: THREE.Mesh<THREE.CircleGeometry, THREE.ShadowMaterial>;
-  private readonly paper: THREE.Mesh<THREE.CircleGeometry, THREE.MeshBasicMaterial>;
+  private readonly sun = new THREE.DirectionalLight(0xffffff, 1);
+  private readonly ground = new Ground();
   private readonly plane: THREE.Mesh<THREE.PlaneGeometry, THREE.MeshBasicMaterial>;
   private waiting = false;
-  private mini: HTMLCanvasElement | null = null;
+  private mini: (() => Frame | null) | null = null;
 
-  constructor(readonly canvas: HTMLCanvasElement) {
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
+  constructor(
+    readonly canvas: HTMLCanvasElement,
+    private readonly quality: Quality = 'full',
+  ) {
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: quality === 'full', alpha: true });
     this.renderer.shadowMap.enabled = true;
-    this.renderer.shadowMap.type = THREE.PCFSoftShadowMap;
-    this.renderer.toneMapping = THREE.NeutralToneMapping;
-    this.renderer.toneMappingExposure = 1.05;
-    this.ground = new THREE.Mesh(new THREE.CircleGeometry(1, 64), new THREE.ShadowMaterial({ opacity: 0.22 }));
-    this.paper = new THREE.Mesh(
-      new THREE.CircleGeometry(1, 96),
-      new THREE.MeshBasicMaterial({ transparent: true, depthWrite: false, alphaMap: softDisc() }),
-    );
+    this.renderer.shadowMap.type = THREE.BasicShadowMap; // the materials here filter it themselves
+    this.renderer.shadowMap.autoUpdate = false;
+    this.renderer.toneMapping = THREE.NoToneMapping;
+    this.renderer.info.autoReset = false;
     this.plane = new THREE.Mesh(
       new THREE.PlaneGeometry(1, 1),
-      new THREE.MeshBasicMaterial({ color: 0x3a6ea5, transparent: true, opacity: 0.07, side: THREE.DoubleSide, depthWrite: false }),
+      new THREE.MeshBasicMaterial({ color: 0x3a6ea5, transparent: true, opacity: 0.08, side: THREE.DoubleSide, depthWrite: false }),
     );
     this.plane.visible = false;
-    for (const disc of [this.ground, this.paper]) {
-      disc.rotation.x = -Math.PI / 2;
-      disc.receiveShadow = true;
-    }
-    this.paper.renderOrder = -1;
     this.sun.castShadow = true;
-    this.sun.shadow.mapSize.set(2048, 2048);
-    this.sun.shadow.radius = 6;
-    this.sun.shadow.normalBias = 0.02;
-    this.scene.add(this.sky, this.sun, this.sun.target, this.paper, this.ground, this.plane);
+    this.sun.shadow.mapSize.setScalar(quality === 'full' ? 1536 : 512);
+    this.scene.add(this.sun, this.sun.target, this.ground.mesh, this.plane);
     this.rig.onChange = () => this.invalidate();
-    this.setLight(0.6, 0.9);
-    this.fitScene();
+    this.setLight(-0.42, 0.91);
   }
 
   setTheme(theme: StageTheme): void {
-    this.paper.material.color.set(theme.ground);
+    this.ground.setShade(theme.shade, theme.strength);
     this.invalidate();
   }
 
@@ -73,7 +76,7 @@ export class Stage {
   }
 
   resize(width: number, height: number, ratio: number): void {
-    this.renderer.setPixelRatio(ratio);
+    this.renderer.setPixelRatio(this.quality === 'full' ? ratio : 0.5);
     this.renderer.setSize(width, height, false);
     this.rig.resize(width, height);
     this.invalidate();
@@ -99,29 +102,19 @@ export class Stage {
 
   show(frames: PoseFrame[]): void {
     for (const frame of frames) this.characters.get(frame.actor)?.show(frame);
-    if (frames.length > 0) this.invalidate();
+    if (frames.length > 0) this.fitScene();
   }
 
   /** The box around all joints, in the scene. */
   bounds(actor?: number): THREE.Box3 {
     const box = new THREE.Box3();
-    const point = new THREE.Vector3();
-    for (const [id, view] of this.characters) {
-      if (actor !== undefined && id !== actor) continue;
-      view.info.joints.forEach((joint, i) => {
-        if (!joint.helper && 3 * i < view.joints.length) box.expandByPoint(view.joint(i, point));
-      });
-    }
+    for (const [id, view] of this.characters) if (actor === undefined || id === actor) box.union(view.bounds());
     if (box.isEmpty()) box.set(new THREE.Vector3(-0.5, 0, -0.5), new THREE.Vector3(0.5, 1.8, 0.5));
     return box;
   }
 
   frame(actor?: number): void {
-    const box = this.bounds(actor);
-    const size = box.getSize(new THREE.Vector3());
-    const aspect = this.canvas.clientWidth / Math.max(1, this.canvas.clientHeight);
-    const width = Math.hypot(size.x, size.z);
-    this.rig.set({ target: box.getCenter(new THREE.Vector3()), height: 1.32 * Math.max(size.y, width / aspect, 1e-3) });
+    this.rig.frame(this.bounds(actor), this.insets);
   }
 
   showPlane(normal: THREE.Vector3 | null): void {
@@ -136,8 +129,9 @@ export class Stage {
     this.invalidate();
   }
 
-  setMini(canvas: HTMLCanvasElement | null): void {
-    this.mini = canvas;
+  /** Where the view from the side goes; it is drawn into the same canvas. */
+  setMini(place: (() => Frame | null) | null): void {
+    this.mini = place;
     this.invalidate();
   }
 
@@ -145,8 +139,7 @@ export class Stage {
     if (this.waiting) return;
     this.waiting = true;
     requestAnimationFrame(() => {
-      this.waiting = false;
-      this.draw();
+      if (this.waiting) this.draw();
     });
   }
 
@@ -154,13 +147,6 @@ export class Stage {
   snapshot(width: number, height: number, transparent: boolean, paper: string): HTMLCanvasElement {
     const size = this.renderer.getSize(new THREE.Vector2());
     const ratio = this.renderer.getPixelRatio();
-    this.renderer.setPixelRatio(1);
-    this.renderer.setSize(width, height, false);
-    this.rig.resize(width, height);
-    const hidden = [this.paper, this.ground].filter((disc) => transparent && disc.visible);
-    for (const disc of hidden) disc.visible = false;
-    this.renderer.render(this.scene, this.rig.camera);
-    for (const disc of hidden) disc.visible = true;
     const copy = document.createElement('canvas');
     copy.width = width;
     copy.height = height;
@@ -169,7 +155,15 @@ export class Stage {
       context.fillStyle = paper;
       context.fillRect(0, 0, width, height);
     }
+    const { plane, ground } = this;
+    const shown = [plane.visible, ground.mesh.visible] as const;
+    [plane.visible, ground.mesh.visible] = [false, !transparent];
+    this.renderer.setPixelRatio(1);
+    this.renderer.setSize(width, height, false);
+    this.rig.resize(width, height);
+    this.renderer.render(this.scene, this.rig.camera);
     context.drawImage(this.canvas, 0, 0);
+    [plane.visible, ground.mesh.visible] = shown;
     this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(size.x, size.y, false);
     this.rig.resize(size.x, size.y);
@@ -177,38 +171,55 @@ export class Stage {
     return copy;
   }
 
+  /** Small square pictures of one character in other poses, drawn through the canvas, which shows the table again at
+      once. `focus` names the joints to look at, all of them where it is empty. */
+  thumbnails(actor: number, poses: { frame: PoseFrame; focus: number[] }[], pixels: number): HTMLCanvasElement[] {
+    const view = this.characters.get(actor);
+    if (!view) return [];
+    const now: PoseFrame = { actor, palette: view.matrices, joints: view.joints };
+    const others = this.scene.children.filter((child) => child !== view.group && child !== this.sun && child !== this.sun.target && child.visible);
+    for (const other of others) other.visible = false;
+    const side = Math.min(pixels / this.renderer.getPixelRatio(), this.canvas.clientWidth, this.canvas.clientHeight);
+    const pictures = poses.map(({ frame, focus }) => {
+      view.show(frame);
+      this.aimSun(view.bounds());
+      const box = focus.length > 0 ? view.bounds(focus) : view.bounds();
+      this.drawInto({ x: 0, y: 0, width: side, height: side }, squareCamera(box, Math.PI / 5));
+      const copy = document.createElement('canvas');
+      copy.width = copy.height = pixels;
+      const drawn = side * this.renderer.getPixelRatio();
+      copy.getContext('2d')!.drawImage(this.canvas, 0, 0, drawn, drawn, 0, 0, pixels, pixels);
+      return copy;
+    });
+    for (const other of others) other.visible = true;
+    view.show(now);
+    this.fitScene();
+    this.draw();
+    return pictures;
+  }
+
   private draw(): void {
+    this.waiting = false;
     const started = performance.now();
-    if (this.mini) this.drawMini(this.mini);
+    this.renderer.info.reset();
     this.renderer.render(this.scene, this.rig.camera);
+    const place = this.mini?.();
+    if (place) this.drawInto(place, squareCamera(this.bounds(), this.rig.state.heading + Math.PI / 2, place.width / place.height));
     this.stats.frames += 1;
     this.stats.drawCalls = this.renderer.info.render.calls;
     this.stats.drawMs = performance.now() - started;
     this.onDrawn();
   }
 
-  /** The same scene from a quarter turn to the side: it shows what a line cannot, the depth. */
-  private drawMini(target: HTMLCanvasElement): void {
+  private drawInto(place: Frame, camera: THREE.Camera): void {
     const size = this.renderer.getSize(new THREE.Vector2());
-    const width = Math.min(target.width, size.x);
-    const height = Math.min(target.height, size.y);
-    const box = this.bounds();
-    const extent = box.getSize(new THREE.Vector3()).length() * 0.62;
-    const camera = new THREE.OrthographicCamera((-extent * width) / height, (extent * width) / height, extent, -extent, -50 * extent, 50 * extent);
-    const side = this.rig.state.heading + Math.PI / 2;
-    const centre = box.getCenter(new THREE.Vector3());
-    camera.position.copy(centre).add(new THREE.Vector3(Math.sin(side), 0, Math.cos(side)).multiplyScalar(extent));
-    camera.lookAt(centre);
-    const ratio = this.renderer.getPixelRatio();
-    this.renderer.setViewport(0, 0, width / ratio, height / ratio);
-    this.renderer.setScissor(0, 0, width / ratio, height / ratio);
+    const bottom = size.y - place.y - place.height;
+    this.renderer.setViewport(place.x, bottom, place.width, place.height);
+    this.renderer.setScissor(place.x, bottom, place.width, place.height);
     this.renderer.setScissorTest(true);
     this.renderer.render(this.scene, camera);
     this.renderer.setScissorTest(false);
     this.renderer.setViewport(0, 0, size.x, size.y);
-    const context = target.getContext('2d')!;
-    context.clearRect(0, 0, target.width, target.height);
-    context.drawImage(this.canvas, 0, this.canvas.height - height, width, height, 0, 0, target.width, target.height);
   }
 
   /** Ground, light and shadow sized to what stands on the table. */
@@ -216,32 +227,39 @@ export class Stage {
     const box = this.bounds();
     const size = box.getSize(new THREE.Vector3()).length();
     const centre = box.getCenter(new THREE.Vector3());
-    const ground = box.min.y > 0 && box.min.y < 0.2 * size ? 0 : box.min.y;
-    this.paper.position.set(centre.x, ground - 1e-4 * size, centre.z);
-    this.ground.position.set(centre.x, ground, centre.z);
-    this.paper.scale.setScalar(1.6 * size);
-    this.ground.scale.setScalar(4 * size);
+    const lowest = Math.min(...[...this.characters.values()].map((view) => view.floor()));
+    const ground = Number.isFinite(lowest) ? lowest : 0;
+    this.ground.place(centre, ground, 3 * size);
+    this.ground.setTouches([...this.characters.values()].flatMap((view) => view.points()), 0.035 * size);
+    this.aimSun(box);
+    this.invalidate();
+  }
+
+  private aimSun(box: THREE.Box3): void {
+    const size = box.getSize(new THREE.Vector3()).length();
+    const centre = box.getCenter(new THREE.Vector3());
     const direction = this.sun.userData['direction'] as THREE.Vector3;
     this.sun.target.position.copy(centre);
     this.sun.position.copy(centre).addScaledVector(direction, 2 * size);
-    const shadow = this.sun.shadow.camera;
-    Object.assign(shadow, { left: -size, right: size, top: size, bottom: -size, near: 0.1 * size, far: 5 * size });
-    shadow.updateProjectionMatrix();
+    const half = 0.75 * size;
+    Object.assign(this.sun.shadow.camera, { left: -half, right: half, top: half, bottom: -half, near: size, far: 3.6 * size });
+    this.sun.shadow.camera.updateProjectionMatrix();
     this.sun.shadow.normalBias = 0.006 * size;
-    this.invalidate();
+    this.sun.shadow.bias = -0.0008;
+    this.renderer.shadowMap.needsUpdate = true;
   }
 }
 
-/** White in the middle, fading to nothing: the sheet of paper ends softly. */
-function softDisc(): THREE.Texture {
-  const canvas = document.createElement('canvas');
-  canvas.width = canvas.height = 256;
-  const context = canvas.getContext('2d')!;
-  const fade = context.createRadialGradient(128, 128, 20, 128, 128, 128);
-  fade.addColorStop(0, '#fff');
-  fade.addColorStop(0.6, '#888');
-  fade.addColorStop(1, '#000');
-  context.fillStyle = fade;
-  context.fillRect(0, 0, 256, 256);
-  return new THREE.CanvasTexture(canvas);
+/** Looks level at the middle of a box, without perspective, the whole of it in the picture. */
+function squareCamera(box: THREE.Box3, heading: number, aspect = 1): THREE.OrthographicCamera {
+  const size = box.getSize(new THREE.Vector3());
+  const across = Math.abs(Math.cos(heading)) * size.x + Math.abs(Math.sin(heading)) * size.z;
+  const half = 0.56 * Math.max(size.y, across / aspect, 1e-6);
+  const far = 20 * size.length();
+  const camera = new THREE.OrthographicCamera(-half * aspect, half * aspect, half, -half, -far, far);
+  const centre = box.getCenter(new THREE.Vector3());
+  camera.position.copy(centre).add(new THREE.Vector3(Math.sin(heading), 0.08, Math.cos(heading)).multiplyScalar(half));
+  camera.lookAt(centre);
+  camera.updateMatrixWorld();
+  return camera;
 }

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// The real engine in this very process: the worker's wire without the worker.
+import { readFileSync } from 'node:fs';
+import { EngineClient, type Wire } from '../src/engine/client';
+import { replyTo } from '../src/engine/answers';
+import type { Reply, Request } from '../src/engine/messages';
+import createModule, { type Table } from '../wasm/croquis.mjs';
+
+class LocalWire implements Wire {
+  onmessage: ((event: MessageEvent<Reply>) => void) | null = null;
+  constructor(private readonly table: Table) {}
+  postMessage({ id, request }: { id: number; request: Request }): void {
+    const reply = replyTo(this.table, id, structuredClone(request));
+    queueMicrotask(() => this.onmessage?.({ data: reply } as MessageEvent<Reply>));
+  }
+}
+
+export async function startLocalEngine(): Promise<EngineClient> {
+  const wasmBinary = readFileSync(new URL('../wasm/croquis.wasm', import.meta.url));
+  const module = await createModule({ wasmBinary });
+  return new EngineClient(new LocalWire(new module.Table()));
+}
