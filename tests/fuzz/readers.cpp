@@ -77,8 +77,22 @@ bool fuzz_camera(std::span<const std::byte> bytes) {
 bool fuzz_gltf(std::span<const std::byte> bytes) {
   const ResourceReader none = [](std::string_view) -> Bytes { throw Error(ErrorCode::io, "no other file is there"); };
   std::optional<Character> character;
-  if (reads([&] { character = read_character(bytes, "fuzz.gltf", none); })) check_character(*character);
-  return character.has_value();
+  if (!reads([&] { character = read_character(bytes, "fuzz.gltf", none); })) return false;
+  check_character(*character);
+  std::vector<BakedPart> parts;
+  for (const Part& part : character->parts) parts.push_back({part.mesh.positions, part.mesh.normals});
+  for (const PoseForm form : {PoseForm::pose, PoseForm::clip, PoseForm::baked}) {
+    WrittenFile written;
+    const auto write = [&] {
+      written = write_character(*character, character->start, "glb", "fuzz.glb", {.form = form, .baked = parts});
+    };
+    if (!reads(write)) continue;
+    std::optional<Character> again;
+    reads([&] { again = read_character(written.bytes, "fuzz.glb", none); });
+    require(again.has_value(), "what was written is read");
+    check_character(*again);
+  }
+  return true;
 }
 
 bool fuzz_svg(std::span<const std::byte> bytes) {

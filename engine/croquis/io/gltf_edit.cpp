@@ -157,19 +157,28 @@ void GltfEditor::embed_images() {
 }
 
 /// All buffers brought into one, the binary chunk: it is buffer 0, and keeps what else stood in the file's buffer 0.
-/// Later buffers that carry more than their bytes (extras, extensions) stay buffers of their own.
+/// Later buffers that carry more than their bytes (extras, extensions) stay buffers of their own, and so do those whose
+/// bytes are not there. Empty if there is nothing to bring together.
 Bytes GltfEditor::merge_buffers() {
   struct Moved {
     int buffer = 0;
     std::size_t offset = 0;
   };
+  const std::size_t count = document_->buffers.size();
+  std::vector<bool> merges(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Json& buffer = (*json_)["buffers"][i];
+    const bool is_plain = i == 0 || (!buffer.contains("extras") && !buffer.contains("extensions"));
+    merges[i] = is_plain && document_->buffer_faults[i].empty();
+  }
+  const bool has_chunk = std::find(merges.begin(), merges.end(), true) != merges.end();
   Bytes merged;
   std::vector<Moved> moved;
-  Json kept = Json::array({Json::object()});
-  for (std::size_t i = 0; i < document_->buffers.size(); ++i) {
+  Json kept = has_chunk ? Json::array({Json::object()}) : Json::array();
+  for (std::size_t i = 0; i < count; ++i) {
     Json buffer = (*json_)["buffers"][i];
     const bool has_data = document_->buffer_faults[i].empty();
-    if (has_data && (i == 0 || (!buffer.contains("extras") && !buffer.contains("extensions")))) {
+    if (merges[i]) {
       pad_to_four(merged);
       moved.push_back({0, merged.size()});
       append_bytes(merged, document_->buffers[i]);
@@ -213,8 +222,9 @@ WrittenFile GltfEditor::finish_glb() {
     Json& buffers = (*json_)["buffers"];
     if (buffers.is_null()) buffers = Json::array();
     if (buffers.empty()) buffers.push_back(Json::object());
-    const bool foreign = document_ != nullptr && document_->is_glb && !document_->buffers.empty() && !had_chunk;
-    if (foreign) {  // a GLB whose first buffer lies outside: the chunk cannot come before it
+    const bool foreign =
+        document_ != nullptr && !document_->buffers.empty() && (was_gltf ? binary.empty() : !had_chunk);
+    if (foreign) {  // the first buffer lies outside, or is not there: the chunk cannot come before it
       buffers.push_back({{"byteLength", added_.size()}, {"uri", make_data_uri(added_)}});
       place_added(static_cast<int>(buffers.size()) - 1, 0);
     } else {

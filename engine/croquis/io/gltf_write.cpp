@@ -128,11 +128,16 @@ class SourceWriter {
 WrittenFile write_gltf_source(const Character& character, const Pose& pose, std::string_view format,
                               std::string_view file_name, const WriteOptions& options) {
   const GltfDocument document = open_gltf(character.source);
-  SourceWriter writer(character, document);
-  if (options.form == PoseForm::pose) writer.set_pose(pose);
-  if (options.form == PoseForm::baked) writer.bake(options.baked);
-  writer.add_clips(options.form == PoseForm::clip ? &pose : nullptr);
-  return writer.finish(format, file_name);
+  try {
+    SourceWriter writer(character, document);
+    if (options.form == PoseForm::pose) writer.set_pose(pose);
+    if (options.form == PoseForm::baked) writer.bake(options.baked);
+    writer.add_clips(options.form == PoseForm::clip ? &pose : nullptr);
+    return writer.finish(format, file_name);
+  } catch (const Json::exception&) {
+    // What nothing had to read may be of any type until it has to be written.
+    throw_bad_file("/", "a member that has to be written anew is not of the type that glTF gives it");
+  }
 }
 
 }  // namespace croquis
