@@ -3,7 +3,7 @@
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 FUZZ_SECONDS ?= 600
 
-.PHONY: help demo build studio test bench bench-lines fuzz format clean
+.PHONY: help demo build studio test bench bench-lines fuzz pictures format clean
 help:
 	@echo 'make demo     build the program; pose the mannequin along a drawn line: out/demo.glb and out/demo.png'
 	@echo 'make build    build the program: build/release/croquis'
@@ -12,6 +12,7 @@ help:
 	@echo 'make bench    build and run the benchmarks'
 	@echo 'make bench-lines  how near the methods of posing come to poses of real people'
 	@echo 'make fuzz     fuzz each reader for FUZZ_SECONDS=$(FUZZ_SECONDS) seconds'
+	@echo 'make pictures draw the pictures of docs/images anew'
 	@echo 'make format   lay out every source as .clang-format says'
 	@echo 'make clean    remove build/ and out/'
 
@@ -55,6 +56,10 @@ bench-lines:
 fuzz:
 	@tools/setup.sh fuzz
 	@tools/fuzz.sh $(JOBS) $(FUZZ_SECONDS)
+
+pictures: build
+	@cmake --build build/release --target doc_pictures -j $(JOBS)
+	build/release/tools/doc_pictures docs/images
 
 format:
 	@tools/setup.sh format

@@ -18,8 +18,7 @@ struct MeshFacts {
   int loose_edges = 0;  ///< edges that do not have exactly two triangles turning the same way
   int euler = 0;        ///< vertices - edges + triangles: 2 per closed piece without handles
   double smallest_angle_degrees = 180.0;
-  int thin_triangles = 0;  ///< with an angle below 15 degrees
-  int odd_normals = 0;     ///< triangle corners whose normal is over 80 degrees from the triangle's
+  int odd_normals = 0;  ///< triangle corners whose normal is over 80 degrees from the triangle's
 };
 
 inline MeshFacts examine(const Mesh& mesh) {
@@ -33,15 +32,12 @@ inline MeshFacts examine(const Mesh& mesh) {
       corner[c] = mesh.positions[a].cast<double>();
     }
     const Vec3 normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]).normalized();
-    bool thin = false;
     for (std::size_t c = 0; c < 3; ++c) {
       const Vec3 u = (corner[(c + 1) % 3] - corner[c]).normalized(), v = (corner[(c + 2) % 3] - corner[c]).normalized();
       const double angle = std::acos(std::clamp(u.dot(v), -1.0, 1.0)) / kDegree;
       facts.smallest_angle_degrees = std::min(facts.smallest_angle_degrees, angle);
-      thin = thin || angle < 15.0;
       if (normal.dot(mesh.normals[mesh.triangles[t + c]].cast<double>()) < 0.17) ++facts.odd_normals;
     }
-    if (thin) ++facts.thin_triangles;
   }
   for (const auto& [edge, count] : edges) {
     const auto back = edges.find({edge.second, edge.first});

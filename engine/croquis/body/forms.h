@@ -14,14 +14,17 @@ struct FormTraits {
   double detail = 0.012;
   double softness = 0.9;
   double gap = 0.0;
+  double last_softness = 0.0;
 };
 
 [[nodiscard]] inline Form make_form(std::variant<Loft, Ellipsoid> shape, const FormTraits& traits) {
-  return {std::move(shape), traits.blend, false, traits.detail, traits.gap, traits.joints, traits.softness};
+  return {std::move(shape), traits.blend,  false,           traits.detail,
+          traits.gap,       traits.joints, traits.softness, traits.last_softness};
 }
 
 [[nodiscard]] inline Form make_carving(std::variant<Loft, Ellipsoid> shape, const FormTraits& traits) {
-  return {std::move(shape), traits.blend, true, traits.detail, traits.gap, traits.joints, traits.softness};
+  return {std::move(shape), traits.blend,        true, traits.detail, traits.gap, traits.joints,
+          traits.softness,  traits.last_softness};
 }
 
 /// The rotation by angles about X, then Y, then Z, in degrees.

@@ -18,7 +18,8 @@ struct Form {
   double detail = 0.012;    ///< wanted length of the mesh's edges on it, metres
   double gap = 0.0;         ///< the narrowest gap beside it that must stay open, metres; 0: none narrower than `detail`
   std::vector<int> joints;  ///< the chain of joints that move it, from the body outwards; one: it is rigid
-  double softness = 0.7;    ///< half width of the change-over at each of those joints, in local radii
+  double softness = 0.7;    ///< half width of the change-over at each of those joints, in local radii ...
+  double last_softness = 0.0;  ///< ... and at the last of them, where it is another; 0: the same
 };
 
 /// A limb: masses that melt into each other in the order given, and limbs that grow out of them. A limb melts into the

@@ -9,6 +9,8 @@
 namespace croquis {
 namespace {
 
+constexpr double kWristSoftness = 1.5;  // the forearm's turning is shared out along it
+
 /// A finger in hands: radii at the root, along the bones and at the knuckles, tapering to a rounded tip.
 Limb make_finger(const MannequinMeasures& m, const Armature& a, const std::array<int, 4>& chain, double radius,
                  double blend) {
@@ -20,12 +22,12 @@ Limb make_finger(const MannequinMeasures& m, const Armature& a, const std::array
   const auto between = [](const Vec3& p, const Vec3& q, double t) { return Vec3((1.0 - t) * p + t * q); };
   const auto section = [&](const Vec3& at, double size) { return oval_section(at, size * r, 0.96 * size * r); };
   Loft loft(
-      {section(between(knuckle, hand, 0.16), 0.95), section(knuckle, 1.04),
-       section(between(knuckle, middle, 0.5), 0.93), section(middle, 0.98), section(between(middle, last, 0.5), 0.87),
-       section(last, 0.88), section(between(last, tip, 0.45), 0.83), section(tip, 0.62)},
-      Vec3::UnitZ(), Vec3::UnitY());
+      {section(between(knuckle, hand, 0.16), 1.05), section(knuckle, 1.12),
+       section(between(knuckle, middle, 0.5), 1.04), section(middle, 1.06), section(between(middle, last, 0.5), 0.96),
+       section(last, 0.96), section(between(last, tip, 0.45), 0.90), section(between(last, tip, 0.85), 0.76)},
+      Vec3::UnitZ(), Vec3::UnitY(), -1.0, 0.72 * r);
   const std::vector<int> joints(chain.begin(), chain.end());
-  return {{make_form(std::move(loft), {joints, 0.0, 0.60 * r, 0.9, 0.40 * r})}, blend * m.hand};
+  return {{make_form(std::move(loft), {joints, 0.0, 0.54 * r, 0.9, 0.40 * r})}, blend * m.hand};
 }
 
 Limb make_hand(const MannequinMeasures& m, const Armature& a) {
@@ -43,9 +45,9 @@ Limb make_hand(const MannequinMeasures& m, const Armature& a) {
             section(0.32, 0.012, 0.005, 0.215, 0.075, 0.085, 0.35),
             section(0.445, 0.012, 0.0, 0.215, 0.062, 0.065, 0.4)},
            Vec3::UnitZ(), Vec3::UnitY(), 0.08 * s, 0.045 * s),
-      {joints, 0.0, 0.036 * s, 0.8}));
-  palm.forms.push_back(
-      make_form(Ellipsoid(at(0.20, -0.055, -0.12), s * Vec3(0.15, 0.055, 0.07)), {joints, 0.06 * s, 0.036 * s, 0.8}));
+      {joints, 0.0, 0.036 * s, kWristSoftness}));
+  palm.forms.push_back(make_form(Ellipsoid(at(0.20, -0.055, -0.12), s * Vec3(0.15, 0.055, 0.07)),
+                                 {joints, 0.06 * s, 0.036 * s, kWristSoftness}));
   const auto chain = [&](const char* name, const char* p, const char* i, const char* d) {
     const std::string n = std::string("left") + name;
     return std::array<int, 4>{hand, a.find(n + p), a.find(n + i), a.find(n + d)};
@@ -99,8 +101,8 @@ Limb make_arm(const MannequinMeasures& m, const Armature& a) {
       {on(elbow, wrist, 0.96), wrist_side, wrist_side, wrist_up, wrist_up},
       {wrist + Vec3(0.03 * u, 0, 0), wrist_side, wrist_side, wrist_up, wrist_up},
   };
-  arm.forms.push_back(
-      make_form(Loft(std::move(sections), Vec3::UnitZ(), Vec3::UnitY(), 0.15 * u), {joints, 0.0, 0.062 * u, 0.9}));
+  arm.forms.push_back(make_form(Loft(std::move(sections), Vec3::UnitZ(), Vec3::UnitY(), 0.15 * u),
+                                {joints, 0.0, 0.062 * u, 0.9, 0.0, kWristSoftness}));
   // The cap of the shoulder.
   const Vec3 cap = on(shoulder, elbow, 0.10) + u * Vec3(0.0, 0.03, -0.01);
   arm.forms.push_back(make_form(Ellipsoid(cap, t * Vec3(0.30, 0.215, 0.235)), {joints, 0.14 * u, 0.062 * u, 0.9}));
@@ -127,10 +129,10 @@ Limb make_foot(const MannequinMeasures& m, const Armature& a) {
   const double detail = 0.045 * f;
   Limb limb{{}, 0.12 * f};
   limb.forms.push_back(make_form(
-      Loft({section(-0.14, 0.13, 0.0, 0.115, 0.115, 0.13, 0.25), section(-0.02, 0.15, 0.0, 0.125, 0.125, 0.17, 0.3),
+      Loft({section(-0.13, 0.13, 0.0, 0.110, 0.110, 0.20, 0.2), section(-0.02, 0.15, 0.0, 0.122, 0.122, 0.20, 0.3),
             section(0.22, 0.13, 0.01, 0.15, 0.125, 0.15, 0.35), section(0.44, 0.10, 0.01, 0.185, 0.155, 0.10, 0.4),
             section(0.56, 0.08, 0.01, 0.18, 0.165, 0.075, 0.4)},
-           side, up, 0.13 * f, 0.07 * f),
+           side, up, 0.115 * f, 0.07 * f),
       {{a.find("leftLowerLeg"), foot, toes}, 0.0, detail, 0.8}));
   // Ankle bones, and the instep between shin and foot.
   limb.forms.push_back(
@@ -138,6 +140,12 @@ Limb make_foot(const MannequinMeasures& m, const Armature& a) {
                       round_section(at(-0.01, 0.16, 0.34), 0.085 * f)},
                      side, Vec3::UnitY()),
                 {{foot}, 0.10 * f, detail, 0.8}));
+  // The heel cord.
+  limb.forms.push_back(
+      make_form(Loft({round_section(at(0.0, 0.60, -0.075), 0.06 * f), round_section(at(0.0, 0.40, -0.105), 0.062 * f),
+                      round_section(at(0.0, 0.22, -0.145), 0.085 * f)},
+                     side, Vec3::UnitZ()),
+                {{a.find("leftLowerLeg"), foot}, 0.11 * f, detail, 0.8}));
   for (const Vec3& bone : {at(0.095, 0.335, -0.015), at(-0.095, 0.375, 0.02)}) {
     limb.forms.push_back(make_form(Ellipsoid(bone, f * Vec3(0.045, 0.065, 0.060)), {{foot}, 0.07 * f, detail, 0.8}));
   }

@@ -3,6 +3,7 @@
 #include "croquis/body/remesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "croquis/body/half_edges.h"
@@ -16,6 +17,14 @@ struct Vertex {
   double length = 0.01;  ///< wanted length of its edges
   bool on_rim = false;
 };
+
+constexpr double kThin = 24.0 * kDegree;  ///< triangles with a smaller angle are mended at the end
+
+double smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 ab = (b - a).normalized(), bc = (c - b).normalized(), ca = (a - c).normalized();
+  const double most = std::max({-ab.dot(ca), -ab.dot(bc), -bc.dot(ca)});  // the cosine of the smallest angle
+  return std::acos(std::clamp(most, -1.0, 1.0));
+}
 
 class Remesher {
  public:
@@ -48,6 +57,8 @@ class Remesher {
       flip();
       relax();
     }
+    for (int round = 0; round < 4 && mend_thin() > 0; ++round) {
+    }
     return collect();
   }
 
@@ -75,7 +86,7 @@ class Remesher {
       const double reach = field.detail / std::sqrt(steepness);
       v.position -= std::clamp(field.value / steepness, -reach, reach) * gradient;
       v.normal = gradient / std::sqrt(steepness);
-      if (std::abs(field.value) < 1e-3 * field.detail) break;
+      if (std::abs(field.value) < 0.02 * field.detail) break;  // what is left after the step is of second order
     }
   }
 
@@ -108,6 +119,23 @@ class Remesher {
     }
   }
 
+  // An edge that joins two vertices of the rim but is not part of it would be doubled by the mirror.
+  [[nodiscard]] bool can_flip(int h) const {
+    if (!edges_.can_flip(h)) return false;
+    const int c = edges_.origin(HalfEdges::previous(h)), d = edges_.origin(HalfEdges::previous(edges_.twin(h)));
+    return !vertex(c).on_rim || !vertex(d).on_rim;
+  }
+
+  bool can_collapse(int h) {
+    if (!edges_.can_collapse(h)) return false;
+    const int a = edges_.origin(h), b = edges_.target(h);
+    if (vertex(a).on_rim || !vertex(b).on_rim) return true;
+    const int left = edges_.origin(HalfEdges::previous(h)), right = edges_.origin(HalfEdges::previous(edges_.twin(h)));
+    edges_.neighbours(a, around_);
+    return std::none_of(around_.begin(), around_.end(),
+                        [&](int v) { return v != b && v != left && v != right && vertex(v).on_rim; });
+  }
+
   /// No triangle around origin(h) may turn over or grow an edge that would have to be split again.
   bool collapse_keeps_shape(int h) {
     const int a = edges_.origin(h), b = edges_.target(h);
@@ -127,7 +155,7 @@ class Remesher {
   void collapse_short() {
     for (int h = 0; h < edges_.count(); ++h) {
       if (!edges_.is_alive(h) || length_of(h) > 0.8 * wanted(h)) continue;
-      if (!edges_.can_collapse(h) || !collapse_keeps_shape(h)) continue;
+      if (!can_collapse(h) || !collapse_keeps_shape(h)) continue;
       edges_.collapse(h);
     }
   }
@@ -141,7 +169,7 @@ class Remesher {
     const auto squared = [](int x) { return x * x; };
     for (int h = 0; h < edges_.count(); ++h) {
       const int t = edges_.is_alive(h) ? edges_.twin(h) : -1;
-      if (t < 0 || h < t || !edges_.can_flip(h)) continue;
+      if (t < 0 || h < t || !can_flip(h)) continue;
       const int a = edges_.origin(h), b = edges_.target(h);
       const int c = edges_.origin(HalfEdges::previous(h)), d = edges_.origin(HalfEdges::previous(t));
       const int ea = valence_excess(a), eb = valence_excess(b), ec = valence_excess(c), ed = valence_excess(d);
@@ -181,6 +209,94 @@ class Remesher {
       vertex(v).position = moved[static_cast<std::size_t>(v)];
       project(vertex(v));
     }
+  }
+
+  [[nodiscard]] double smallest_angle(int a, int b, int c) const {
+    return croquis::smallest_angle(vertex(a).position, vertex(b).position, vertex(c).position);
+  }
+
+  /// The smallest angle around v if it stood at `place`; 0 if a triangle would turn its back to the surface.
+  double angle_around(int v, const Vec3& place) {
+    double least = kPi;
+    edges_.outgoing(v, around_);
+    for (const int g : around_) {
+      const Vec3 &b = vertex(edges_.target(g)).position, &c = vertex(edges_.origin(HalfEdges::previous(g))).position;
+      least = std::min(least, croquis::smallest_angle(place, b, c));
+      if ((b - place).cross(c - place).dot(vertex(v).normal) <= 0.0) return 0.0;
+    }
+    return least;
+  }
+
+  bool flip_mends(int h, double before) {
+    const int t = edges_.twin(h);
+    if (t < 0 || !can_flip(h)) return false;
+    const int a = edges_.origin(h), b = edges_.target(h);
+    const int c = edges_.origin(HalfEdges::previous(h)), d = edges_.origin(HalfEdges::previous(t));
+    before = std::min(before, smallest_angle(b, a, d));
+    if (std::min(smallest_angle(d, c, a), smallest_angle(c, d, b)) < 1.1 * before) return false;
+    const Vec3 normal = vertex(a).normal + vertex(b).normal + vertex(c).normal + vertex(d).normal;
+    if (area_vector(d, c, a).dot(normal) <= 0.0 || area_vector(c, d, b).dot(normal) <= 0.0) return false;
+    edges_.flip(h);
+    return true;
+  }
+
+  bool collapse_mends(int h, double before) {
+    if (!can_collapse(h)) return false;
+    const int a = edges_.origin(h), b = edges_.target(h);
+    double after = kPi;
+    edges_.outgoing(a, around_);
+    for (const int g : around_) {
+      const int c = edges_.target(g), d = edges_.origin(HalfEdges::previous(g));
+      if (c == b || d == b) continue;
+      after = std::min(after, smallest_angle(b, c, d));
+      if (area_vector(b, c, d).dot(vertex(b).normal + vertex(c).normal + vertex(d).normal) <= 0.0) return false;
+    }
+    if (after < std::max(1.1 * before, 0.5 * kThin)) return false;
+    edges_.collapse(h);
+    return true;
+  }
+
+  /// Moves a vertex to the place among a few around it whose triangles are best.
+  bool shift_mends(int v) {
+    Vertex best = vertex(v);
+    double angle = 1.02 * angle_around(v, best.position);
+    edges_.neighbours(v, around_);
+    const std::vector<int> near = around_;
+    const Vec3 here = vertex(v).position;
+    bool moved = false;
+    for (const int n : near) {
+      for (const double part : {-0.25, 0.25}) {
+        Vertex tried = vertex(v);
+        tried.position = here + part * (vertex(n).position - here);
+        if (tried.on_rim) tried.position.x() = here.x();
+        project(tried);
+        const double tried_angle = angle_around(v, tried.position);
+        if (tried_angle <= angle) continue;
+        angle = tried_angle;
+        best = tried;
+        moved = true;
+      }
+    }
+    vertex(v) = best;
+    return moved;
+  }
+
+  /// Turns, draws together or shifts what is left of thin triangles; how many it changed.
+  int mend_thin() {
+    int mended = 0;
+    for (int first = 0; first < edges_.count(); first += 3) {
+      if (!edges_.is_alive(first)) continue;
+      const int a = edges_.origin(first), b = edges_.origin(first + 1), c = edges_.origin(first + 2);
+      const double angle = smallest_angle(a, b, c);
+      if (angle > kThin) continue;
+      std::array<int, 3> sides{first, first + 1, first + 2};
+      std::sort(sides.begin(), sides.end(), [&](int g, int h) { return length_of(g) < length_of(h); });
+      bool changed = flip_mends(sides[2], angle) || flip_mends(sides[1], angle) || collapse_mends(sides[0], angle);
+      if (!changed && edges_.twin(sides[0]) >= 0) changed = collapse_mends(edges_.twin(sides[0]), angle);
+      for (const int v : {a, b, c}) changed = (!changed && shift_mends(v)) || changed;
+      mended += changed ? 1 : 0;
+    }
+    return mended;
   }
 
   Triangulation collect() const {

@@ -26,7 +26,7 @@ struct SnakeScale {
   [[nodiscard]] double radius(double along) const {  // -1 tail tip, 0 middle, 1 neck
     const double body = 0.031 * thick;
     if (along > 0.0) return body * (1.0 - 0.42 * along * along * along);
-    return body * std::max(0.08, 1.0 - 0.93 * std::pow(-along, 1.8));
+    return body * std::max(0.08, 1.0 - 0.93 * std::pow(-along, 2.6));
   }
   [[nodiscard]] Vec3 axis(double along) const { return lying(along * half, radius(along)).center; }
 };

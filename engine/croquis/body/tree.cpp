@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "croquis/body/tree.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -13,6 +14,7 @@ namespace {
 
 constexpr int kTrunkJoints = 6;
 constexpr int kBoughJoints = 3;
+constexpr double kThinnestTwig = 0.019;  // metres; the mesh has edges of 0.026 there
 
 struct Bough {
   double height;          // on the trunk, 0..1
@@ -79,10 +81,11 @@ Sculpture make_wood(const TreePlan& plan, const Proportions& p) {
     const double turn = (60.0 * i + 17.0 * (i % 2)) * kDegree, reach = (0.40 + 0.07 * (i % 3)) * thick;
     const Vec3 out(std::cos(turn), 0.0, std::sin(turn));
     const Vec3 foot = trunk_point(0.0);
+    const double tip = std::max(0.026 * thick, 0.022);
     wood.root.forms.push_back(
         make_form(Loft({round_section(foot + Vec3(0, 0.26, 0) + 0.10 * thick * out, 0.055 * thick),
                         round_section(foot + Vec3(0, 0.055 * thick, 0) + 0.6 * reach * out, 0.055 * thick),
-                        round_section(foot + Vec3(0, 0.026 * thick, 0) + reach * out, 0.026 * thick)},
+                        round_section(foot + Vec3(0, tip, 0) + reach * out, tip)},
                        out.cross(Vec3::UnitY()), Vec3::UnitY()),
                   {{plan.trunk[0]}, 0.12 * thick, 0.034}));
   }
@@ -92,9 +95,9 @@ Sculpture make_wood(const TreePlan& plan, const Proportions& p) {
     std::vector<Section> along;
     for (std::size_t i = 0; i < path.size(); ++i) {
       along.push_back(
-          round_section(path[i], r * (1.0 - 0.62 * static_cast<double>(i) / static_cast<double>(kBoughJoints))));
+          round_section(path[i], std::max(r * (1.0 - 0.62 * static_cast<double>(i) / kBoughJoints), kThinnestTwig)));
     }
-    Limb bough{{make_form(Loft(std::move(along), x, z), {plan.boughs[b], 0.0, 0.030, 1.0})}, 0.10 * thick};
+    Limb bough{{make_form(Loft(std::move(along), x, z), {plan.boughs[b], 0.0, 0.026, 1.0})}, 0.10 * thick};
     wood.root.limbs.push_back(bough);
   }
   return wood;

@@ -35,7 +35,9 @@ void add_chain(const Form& form, const Armature& armature, const Vec3& point, do
     const Vec3& joint = armature.position(form.joints[i + 1]);
     Vec3 normal = (joint - before).normalized();
     if (i + 2 < form.joints.size()) normal += (armature.position(form.joints[i + 2]) - joint).normalized();
-    const double width = form.softness * radius_of(form, joint);
+    const bool is_last = i + 2 == form.joints.size();
+    const double softness = is_last && form.last_softness > 0.0 ? form.last_softness : form.softness;
+    const double width = softness * radius_of(form, joint);
     const double beyond = smooth_step((point - joint).dot(normal.normalized()) / width);
     weights[form.joints[i]] += rest * (1.0 - beyond);
     rest *= beyond;
@@ -100,7 +102,7 @@ Sparse build_laplacian(const Triangulation& mesh, Eigen::VectorXd& areas) {
   return laplacian;
 }
 
-void diffuse(const Armature& armature, bool mirrored, const Triangulation& mesh, Start& start) {
+void diffuse(const Triangulation& mesh, Start& start) {
   Eigen::VectorXd areas;
   Sparse system = build_laplacian(mesh, areas);
   const Eigen::VectorXd mass = areas.cwiseQuotient(start.diffusion);
@@ -112,8 +114,6 @@ void diffuse(const Armature& armature, bool mirrored, const Triangulation& mesh,
     if (given.isZero(0.0)) continue;
     start.weights.col(j) = solver.solve(given);
   }
-  static_cast<void>(armature);
-  static_cast<void>(mirrored);
 }
 
 }  // namespace
@@ -121,7 +121,7 @@ void diffuse(const Armature& armature, bool mirrored, const Triangulation& mesh,
 Skin compute_weights(const ImplicitSurface& surface, const Armature& armature, const Triangulation& mesh,
                      const WeightOptions& options) {
   Start start = start_weights(surface, armature, mesh, options.spread);
-  diffuse(armature, surface.mirrored(), mesh, start);
+  diffuse(mesh, start);
   Skin skin;
   const Skeleton skeleton = armature.skeleton();
   for (int j = 0; j < skeleton.joint_count(); ++j) {
