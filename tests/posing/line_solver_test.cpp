@@ -283,9 +283,13 @@ TEST(LineSolver, PinsHoldOrAreNamed) {
   EXPECT_EQ(held.report.status, "ok");
   const Vec3 there = compute_positions(skeleton, held.pose)[static_cast<std::size_t>(foot)];
   EXPECT_LT((there - skeleton.rest_position(foot)).norm(), 1e-4 * skeleton.extent());
+  EXPECT_TRUE(held.pins_missed.empty());
+  // Two pins that no body can keep at once.
   options.pins.front().position = Vec3(0, 5, 0);
+  options.pins.push_back({skeleton.resolve("leftFoot"), Vec3(0, -5, 0)});
   const LineSolverResult missed = solve_lines(skeleton, {}, start, {{trunk, Polyline2(points)}}, Camera{}, options);
-  EXPECT_NE(missed.report.status.find("rightFoot could not be held"), std::string::npos) << missed.report.status;
+  EXPECT_NE(missed.report.status.find("Foot could not be held"), std::string::npos) << missed.report.status;
+  EXPECT_FALSE(missed.pins_missed.empty());
   for (const Transform& local : missed.pose.local) EXPECT_TRUE(local.is_finite());
 }
 

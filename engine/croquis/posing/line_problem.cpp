@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The terms are written once, in visit_path and visit_turns, and read by three sinks: one sums the energy, one builds
-// the normal equations, one lists every row for the derivative check. A path's residuals touch only neighbouring
-// joints, so its normal matrix in picture coordinates is block-tridiagonal and the chain rule is applied once to that,
-// instead of to every row: a third of the work of J'J.
 #include "croquis/posing/line_problem.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "croquis/math/rotation.h"
+#include "croquis/posing/body_shape.h"
 
 namespace croquis {
 namespace {
 
-constexpr int kInner = 3;           // points inside each bone
-constexpr double kShortest = 0.02;  // chords of shorter bones are measured as if they had this length
-constexpr double kNearest = 0.05;   // of the distance: nothing comes nearer to a perspective camera
+constexpr double kNearest = 0.05;  // of the distance: nothing comes nearer to a perspective camera
 
 Mat3 cross_matrix(const Vec3& v) {
   Mat3 m;
@@ -123,152 +118,6 @@ void LineProblem::point_columns(const LineState& state, int node, Eigen::MatrixX
   }
 }
 
-/// The terms of a path. sink.row(r, k, a, b): a residual with slopes a by joint k's y and b by joint k + 1's.
-template <class Sink>
-void LineProblem::visit_path(const LineState& state, std::size_t index, Sink& sink) const {
-  const LinePath& path = paths[index];
-  const int joints = static_cast<int>(path.nodes.size());
-  const double end = path.curve.length();
-  const double slide = path.hold_last ? 0.0 : std::sqrt(weights.slide);
-  Vec2 p0 = Vec2::Zero(), c0 = Vec2::Zero(), dc0 = Vec2::Zero();
-  double s0 = 0.0, z0 = 0.0;
-  for (int k = 0; k < joints; ++k) {
-    const auto at = static_cast<std::size_t>(k);
-    // A held end lies on the stroke's end: its arc length is no unknown, its slope zero.
-    const bool first = k == 0 && path.hold_first, last = k + 1 == joints && path.hold_last;
-    const double s1 = first ? 0.0 : (last ? end : state.along[index][at]);
-    const Vec3& x = state.position[static_cast<std::size_t>(path.nodes[at])];
-    const Vec2 p1 = project(x), c1 = path.curve.at(s1);
-    const Vec2 dc1 = first || last ? Vec2(Vec2::Zero()) : path.curve.derivative(s1);
-    const double w = std::sqrt(weights.position * path.importance[at]);
-    for (int axis = 0; axis < 2; ++axis) {
-      Vec4 own = Vec4::Zero();
-      own[axis] = w;
-      own[3] = -w * dc1[axis];
-      sink.row(w * (p1[axis] - c1[axis]), k, own, Vec4::Zero());
-    }
-    if (k > 0) {
-      const double length = std::max(path.bones[at - 1], kShortest);
-      const double importance = std::sqrt(0.5 * (path.importance[at - 1] + path.importance[at]));
-      const double wc = importance * std::sqrt(weights.chord) / length;
-      const double wd = std::sqrt(weights.depth) / length;
-      for (int axis = 0; axis < 2; ++axis) {
-        Vec4 a = Vec4::Zero(), b = Vec4::Zero();
-        a[axis] = -wc;
-        a[3] = wc * dc0[axis];
-        b[axis] = wc;
-        b[3] = -wc * dc1[axis];
-        sink.row(wc * ((p1[axis] - p0[axis]) - (c1[axis] - c0[axis])), k - 1, a, b);
-      }
-      sink.row(wd * (x.z() - z0 - path.start_depth[at - 1]), k - 1, Vec4(0, 0, -wd, 0), Vec4(0, 0, wd, 0));
-      const bool before_held = k == 1 && path.hold_first;
-      if (slide > 0.0) {
-        const double wanted = path.slide_to[at] - path.slide_to[at - 1];
-        sink.row(slide * (s1 - s0 - wanted), k - 1, Vec4(0, 0, 0, before_held ? 0.0 : -slide), Vec4(0, 0, 0, slide));
-      }
-      const double wi = importance * std::sqrt(weights.inner / kInner);
-      for (int i = 1; i <= kInner; ++i) {
-        const double t = static_cast<double>(i) / (kInner + 1), s = s0 + t * (s1 - s0);
-        const Vec2 c = path.curve.at(s), dc = path.curve.derivative(s);
-        for (int axis = 0; axis < 2; ++axis) {
-          Vec4 a = Vec4::Zero(), b = Vec4::Zero();
-          a[axis] = wi * (1 - t);
-          a[3] = before_held ? 0.0 : -wi * (1 - t) * dc[axis];
-          b[axis] = wi * t;
-          b[3] = last ? 0.0 : -wi * t * dc[axis];
-          sink.row(wi * ((1 - t) * p0[axis] + t * p1[axis] - c[axis]), k - 1, a, b);
-        }
-      }
-    }
-    p0 = p1;
-    c0 = c1;
-    dc0 = dc1;
-    s0 = s1;
-    z0 = x.z();
-  }
-}
-
-/// The terms that are not of paths. sink.block(r, column a, A, column b, B): three residuals and their slopes;
-/// sink.place(w, node, residual): a residual w * (position of node - something).
-template <class Sink>
-void LineProblem::visit_turns(const LineState& state, Sink& sink) const {
-  if (moves) {
-    const Vec3 w(std::sqrt(weights.shift), std::sqrt(weights.shift), std::sqrt(weights.shift_depth));
-    sink.block(state.shift.cwiseProduct(w), 0, w.asDiagonal(), -1, Mat3::Zero());
-  }
-  const double w = std::sqrt(weights.turn), ws = std::sqrt(weights.share);
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (nodes[i].column < 0) continue;
-    const Vec3 r = rotation_to_vector(state.turn[i]);
-    sink.block(w * (nodes[i].stiffness * r), nodes[i].column, w * nodes[i].stiffness * left_jacobian_inverse(r), -1,
-               Mat3::Zero());
-  }
-  for (const SharedBend& share : shares) {
-    const auto a = static_cast<std::size_t>(share.a), b = static_cast<std::size_t>(share.b);
-    const Vec3 ra = rotation_to_vector(state.turn[a]), rb = rotation_to_vector(state.turn[b]);
-    const double wa = ws / share.length_a, wb = ws / share.length_b;
-    sink.block(wa * ra - wb * rb, nodes[a].column, wa * left_jacobian_inverse(ra), nodes[b].column,
-               -wb * left_jacobian_inverse(rb));
-  }
-  for (const LinePin& pin : pins) {
-    const double wp = std::sqrt(weights.pin);
-    sink.place(wp, pin.node, wp * (state.position[static_cast<std::size_t>(pin.node)] - pin.target));
-  }
-}
-
-struct LineProblem::EnergySink {
-  double sum = 0.0;
-  void row(double r, int, const Vec4&, const Vec4&) { sum += r * r; }
-  void block(const Vec3& r, int, const Mat3&, int, const Mat3&) { sum += r.squaredNorm(); }
-  void place(double, int, const Vec3& r) { sum += r.squaredNorm(); }
-};
-
-double LineProblem::energy(const LineState& state) const {
-  EnergySink sink;
-  for (std::size_t i = 0; i < paths.size(); ++i) visit_path(state, i, sink);
-  visit_turns(state, sink);
-  return 0.5 * sink.sum;
-}
-
-struct LineProblem::ModelSink {
-  const LineProblem& problem;
-  const LineState& state;
-  LineModel& model;
-  double sum = 0.0;
-
-  void row(double r, int k, const Vec4& a, const Vec4& b) {
-    sum += r * r;
-    const auto at = static_cast<std::size_t>(k);
-    model.own[at].noalias() += a * a.transpose();
-    model.own[at + 1].noalias() += b * b.transpose();
-    model.next[at].noalias() += a * b.transpose();
-    model.slope[at] += r * a;
-    model.slope[at + 1] += r * b;
-  }
-  void block(const Vec3& r, int column_a, const Mat3& a, int column_b, const Mat3& b) {
-    sum += r.squaredNorm();
-    for (const auto& [column, slope] : {std::pair(column_a, &a), std::pair(column_b, &b)}) {
-      if (column < 0) continue;
-      model.normal.block<3, 3>(column, column).noalias() += slope->transpose() * *slope;
-      model.gradient.segment<3>(column).noalias() += slope->transpose() * r;
-    }
-    if (column_a < 0 || column_b < 0) return;
-    if (column_a > column_b) {
-      model.normal.block<3, 3>(column_a, column_b).noalias() += a.transpose() * b;
-    } else {
-      model.normal.block<3, 3>(column_b, column_a).noalias() += b.transpose() * a;
-    }
-  }
-  void place(double w, int node, const Vec3& r) {
-    sum += r.squaredNorm();
-    model.points.leftCols<3>().setZero();
-    problem.position_columns(state, node, model.points);
-    model.points.leftCols<3>() *= w;
-    model.normal.triangularView<Eigen::Lower>() += model.points.leftCols<3>() * model.points.leftCols<3>().transpose();
-    model.gradient.noalias() += model.points.leftCols<3>() * r;
-  }
-};
-
 void LineProblem::prepare(LineModel& model) const {
   std::size_t joints = 1;
   for (const LinePath& path : paths) joints = std::max(joints, path.nodes.size());
@@ -279,53 +128,7 @@ void LineProblem::prepare(LineModel& model) const {
   model.own.assign(joints + 1, Eigen::Matrix4d::Zero());
   model.next = model.own;
   model.slope.assign(joints + 1, Vec4::Zero());
-}
-
-void LineProblem::linearise(const LineState& state, LineModel& model) const {
-  model.normal.setZero();
-  model.gradient.setZero();
-  ModelSink sink{*this, state, model};
-  for (std::size_t i = 0; i < paths.size(); ++i) {
-    for (std::size_t k = 0; k <= paths[i].nodes.size(); ++k) {
-      model.own[k].setZero();
-      model.next[k].setZero();
-      model.slope[k].setZero();
-    }
-    visit_path(state, i, sink);
-    add_path(state, i, model);
-  }
-  visit_turns(state, sink);
-  model.energy = 0.5 * sink.sum;
-}
-
-/// The chain rule from a path's picture coordinates to the unknowns.
-void LineProblem::add_path(const LineState& state, std::size_t index, LineModel& model) const {
-  const LinePath& path = paths[index];
-  const int joints = static_cast<int>(path.nodes.size());
-  const int bodily = paths.front().column;  // unknowns before it move the body, those from it on slide along strokes
-  for (int k = 0; k < joints; ++k) point_columns(state, path.nodes[static_cast<std::size_t>(k)], model.points, 3 * k);
-  const auto points = [&](int k) { return model.points.block(0, 3 * k, bodily, 3); };
-  for (int k = 0; k < joints; ++k) {
-    const auto at = static_cast<std::size_t>(k);
-    auto weighted = model.weighted.block(0, 3 * k, bodily, 3);
-    auto slid = model.normal.row(path.column + k).head(bodily);
-    weighted.noalias() = points(k) * model.own[at].topLeftCorner<3, 3>();
-    slid.noalias() += model.own[at].row(3).head<3>() * points(k).transpose();
-    if (k > 0) {
-      weighted.noalias() += points(k - 1) * model.next[at - 1].topLeftCorner<3, 3>();
-      slid.noalias() += model.next[at - 1].col(3).head<3>().transpose() * points(k - 1).transpose();
-    }
-    if (k + 1 < joints) {
-      weighted.noalias() += points(k + 1) * model.next[at].topLeftCorner<3, 3>().transpose();
-      slid.noalias() += model.next[at].row(3).head<3>() * points(k + 1).transpose();
-      model.normal(path.column + k + 1, path.column + k) += model.next[at](3, 3);
-    }
-    model.normal(path.column + k, path.column + k) += model.own[at](3, 3);
-    model.gradient.head(bodily).noalias() += points(k) * model.slope[at].head<3>();
-    model.gradient[path.column + k] += model.slope[at][3];
-  }
-  model.normal.topLeftCorner(bodily, bodily).triangularView<Eigen::Lower>() +=
-      model.points.topLeftCorner(bodily, 3 * joints) * model.weighted.topLeftCorner(bodily, 3 * joints).transpose();
+  model.row.setZero(unknowns_);
 }
 
 /// d position/du of a node in the first three columns of `out`.
@@ -343,54 +146,46 @@ void LineProblem::position_columns(const LineState& state, int node, Eigen::Matr
   }
 }
 
-struct LineProblem::RowSink {
-  const LineProblem& problem;
-  const LineState& state;
-  std::vector<double> residuals = {};
-  std::vector<Eigen::VectorXd> slopes = {};
-  std::size_t path = 0;
-  Eigen::MatrixXd points = {};
+/// The slopes of a residual with d residual/d(turn of the node) = slope, in three columns of `out`.
+void LineProblem::turn_columns(const LineState& state, int node, const Mat3& slope, Eigen::MatrixXd& out) const {
+  out.leftCols<3>().setZero();
+  for (int i = node; i >= 0; i = nodes[static_cast<std::size_t>(i)].parent) {
+    const LineNode& above = nodes[static_cast<std::size_t>(i)];
+    if (above.column < 0) continue;
+    Mat3 frame = Mat3::Identity();
+    if (above.parent >= 0) frame = state.frame[static_cast<std::size_t>(above.parent)];
+    out.block<3, 3>(above.column, 0) = (slope * frame).transpose();
+  }
+}
 
-  void row(double r, int k, const Vec4& a, const Vec4& b) {
-    Eigen::VectorXd slope = Eigen::VectorXd::Zero(problem.unknowns());
-    const LinePath& line = problem.paths[path];
-    for (const auto& [joint, part] : {std::pair(k, &a), std::pair(k + 1, &b)}) {
-      if (joint >= std::ssize(line.nodes)) continue;
-      problem.point_columns(state, line.nodes[static_cast<std::size_t>(joint)], points, 0);
-      slope += points * part->head<3>();
-      slope[line.column + joint] += (*part)[3];
-    }
-    residuals.push_back(r);
-    slopes.push_back(slope);
-  }
-  void block(const Vec3& r, int column_a, const Mat3& a, int column_b, const Mat3& b) {
-    for (int i = 0; i < 3; ++i) {
-      Eigen::VectorXd slope = Eigen::VectorXd::Zero(problem.unknowns());
-      if (column_a >= 0) slope.segment<3>(column_a) += a.row(i);
-      if (column_b >= 0) slope.segment<3>(column_b) += b.row(i);
-      residuals.push_back(r[i]);
-      slopes.push_back(slope);
+/// Adds slope . d point/du to a row.
+void LineProblem::add_point(const LineState& state, const BodyPoint& point, const Vec3& slope,
+                            Eigen::VectorXd& row) const {
+  if (moves) row.head<3>() += slope;
+  const Vec3 x = place(state, point);
+  for (int i = point.node; i >= 0; i = nodes[static_cast<std::size_t>(i)].parent) {
+    const LineNode& above = nodes[static_cast<std::size_t>(i)];
+    if (above.column < 0) continue;
+    const Vec3 turned = (x - state.position[static_cast<std::size_t>(i)]).cross(slope);
+    if (above.parent >= 0) {
+      row.segment<3>(above.column).noalias() +=
+          state.frame[static_cast<std::size_t>(above.parent)].transpose() * turned;
+    } else {
+      row.segment<3>(above.column) += turned;
     }
   }
-  void place(double w, int node, const Vec3& r) {
-    problem.position_columns(state, node, points);
-    for (int i = 0; i < 3; ++i) {
-      residuals.push_back(r[i]);
-      slopes.emplace_back(w * points.col(i));
-    }
-  }
-};
+}
 
-void LineProblem::list_residuals(const LineState& state, Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian) const {
-  RowSink sink{*this, state};
-  sink.points.setZero(unknowns_, 3);
-  for (; sink.path < paths.size(); ++sink.path) visit_path(state, sink.path, sink);
-  visit_turns(state, sink);
-  const auto count = static_cast<Eigen::Index>(sink.residuals.size());
-  residuals = Eigen::Map<const Eigen::VectorXd>(sink.residuals.data(), count);
-  if (!jacobian) return;
-  jacobian->resize(count, unknowns_);
-  for (Eigen::Index i = 0; i < count; ++i) jacobian->row(i) = sink.slopes[static_cast<std::size_t>(i)].transpose();
+double LineProblem::overlap(const LineState& state) const {
+  double deepest = 0.0;
+  for (const BodyPoints::Pair& pair : body.pairs) {
+    const auto& a = body.capsules[static_cast<std::size_t>(pair.a)];
+    const auto& b = body.capsules[static_cast<std::size_t>(pair.b)];
+    const NearestPoints near =
+        nearest_points(place(state, a.from), place(state, a.to), place(state, b.from), place(state, b.to));
+    deepest = std::max(deepest, pair.apart - near.distance);
+  }
+  return deepest;
 }
 
 void LineProblem::advance(const LineState& from, const Eigen::VectorXd& step, LineState& to) const {
@@ -405,6 +200,10 @@ void LineProblem::advance(const LineState& from, const Eigen::VectorXd& step, Li
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const LinePath& path = paths[i];
     std::vector<double>& along = to.along[i];
+    if (path.fixed) {
+      along = from.along[i];
+      continue;
+    }
     double end = path.curve.length();
     if (!path.hold_last) end = std::max(end, 1.2 * path.slide_to.back());
     double least = 0.0;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "croquis/math/camera.h"
+#include "croquis/posing/body_points.h"
 #include "croquis/posing/stroke_curve.h"
 #include "croquis/rig/joint_limits.h"
 
@@ -24,6 +26,10 @@ struct LineWeights {
   double shift_depth = 0.05;  ///< moving the root toward the camera or away
   double slide = 0.02;        ///< without a held end: joints to where their bones reach along the stroke
   double pin = 1e5;           ///< held joints
+  double pin_turn = 1e3;      ///< joints held in a direction
+  double floor = 1e4;         ///< what is below the floor
+  double overlap = 4.0;       ///< limbs inside each other
+  double balance = 1.0;       ///< the middle of the mass beside its support
 };
 
 /// A joint of the part of the tree that a line concerns, in view space and problem units.
@@ -45,6 +51,7 @@ struct LinePath {
   std::vector<double> importance;            ///< per joint
   std::vector<double> slide_to;              ///< without a held end: arc lengths that `slide` pulls to, may lie beyond
   bool hold_first = true, hold_last = true;  ///< the line's ends land on the stroke's ends
+  bool fixed = false;                        ///< joints stay at the arc lengths of the state
   int column = -1;                           ///< of the arc lengths of all joints (those of held ends have no effect)
 };
 
@@ -52,6 +59,7 @@ struct LinePath {
 struct LinePin {
   int node = -1;
   Vec3 target = Vec3::Zero();
+  std::optional<Mat3> frame = {};  ///< rotation since the start pose, view axes
 };
 
 /// What a joint may do: its limit, and what turns of its node mean to it,
@@ -90,6 +98,8 @@ struct LineModel {
   std::vector<Eigen::Matrix4d> own;   ///< that matrix: each joint with itself ...
   std::vector<Eigen::Matrix4d> next;  ///< ... and with the joint after it
   std::vector<Vec4> slope;            ///< gradient by y
+
+  Eigen::VectorXd row;  ///< of one residual that points of the body take part in
 };
 
 /// The problem that the line solver solves, free of skeletons and files: a rigid tree in view space (x right, y up, z
@@ -103,6 +113,7 @@ class LineProblem {
   std::vector<LinePin> pins;
   std::vector<SharedBend> shares;
   std::vector<LineLimit> limits;
+  BodyPoints body;
   LineWeights weights;
   bool perspective = false;
   double distance = 1.0;  ///< perspective: pictures are measured at this distance from the camera
@@ -119,9 +130,17 @@ class LineProblem {
   [[nodiscard]] Vec2 project(const Vec3& x) const;
   /// How many times larger the picture shows what is at x.
   [[nodiscard]] double magnification(const Vec3& x) const;
+  [[nodiscard]] Vec3 place(const LineState& state, const BodyPoint& point) const {
+    const auto at = static_cast<std::size_t>(point.node);
+    return state.position[at] + state.frame[at] * point.offset;
+  }
+  /// The deepest that a pair of the body's capsules passes into each other.
+  [[nodiscard]] double overlap(const LineState& state) const;
   /// Sizes a model for this problem.
   void prepare(LineModel& model) const;
   [[nodiscard]] double energy(const LineState& state) const;
+  /// The part of it that pins, floor, balance and overlap have.
+  [[nodiscard]] double bodily_energy(const LineState& state) const;
   /// Energy, gradient and Gauss-Newton matrix at a state, into a prepared model.
   void linearise(const LineState& state, LineModel& model) const;
   /// The residuals one by one with all their slopes (residuals x unknowns), for checks.
@@ -132,11 +151,19 @@ class LineProblem {
  private:
   [[nodiscard]] Mat3 seen_slope(const Vec3& x) const;
   void position_columns(const LineState& state, int node, Eigen::MatrixXd& out) const;
+  void turn_columns(const LineState& state, int node, const Mat3& slope, Eigen::MatrixXd& out) const;
+  void add_point(const LineState& state, const BodyPoint& point, const Vec3& slope, Eigen::VectorXd& row) const;
   void point_columns(const LineState& state, int node, Eigen::MatrixXd& out, int column) const;
   template <class Sink>
   void visit_path(const LineState& state, std::size_t index, Sink& sink) const;
   template <class Sink>
   void visit_turns(const LineState& state, Sink& sink) const;
+  template <class Sink>
+  void visit_pins(const LineState& state, Sink& sink) const;
+  template <class Sink>
+  void visit_body(const LineState& state, Sink& sink) const;
+  template <class Sink>
+  void visit_balance(const LineState& state, Sink& sink) const;
   void add_path(const LineState& state, std::size_t index, LineModel& model) const;
   struct EnergySink;
   struct ModelSink;

@@ -9,6 +9,7 @@
 #include "croquis/base/error.h"
 #include "croquis/base/text.h"
 #include "croquis/posing/line_limits.h"
+#include "croquis/posing/pose_edit.h"
 
 namespace croquis {
 namespace {
@@ -84,7 +85,7 @@ void check_inputs(const Skeleton& skeleton, const Pose& start, const std::vector
 
 /// How much each joint heeds its stroke: as asked for, as the pen pressed where the joint lies by the bones' lengths,
 /// and as the line counts against others. (Pressure read where a joint slides to would draw joints to weak ink.)
-std::vector<double> heed(const LineInput& input, const std::vector<double>& bones) {
+std::vector<double> heed(const LineInput& input, const std::vector<double>& bones, bool reversed) {
   std::vector<double> result(bones.size() + 1, input.weight);
   double total = 0.0, along = 0.0;
   for (const double bone : bones) total += bone;
@@ -92,7 +93,7 @@ std::vector<double> heed(const LineInput& input, const std::vector<double>& bone
     if (!input.importance.empty()) result[k] *= input.importance[k];
     if (!input.pressure.empty()) {
       const double part = total > 0.0 ? along / total : 0.0;
-      const double at = input.direction == LineInput::Direction::backward ? 1.0 - part : part;
+      const double at = reversed ? 1.0 - part : part;
       const auto& arc = input.stroke.arc();
       const auto after = std::upper_bound(arc.begin(), arc.end(), at * input.stroke.length());
       const std::size_t i = std::min(static_cast<std::size_t>(after - arc.begin()), arc.size() - 1);
@@ -146,9 +147,8 @@ LineScene::LineScene(const Skeleton& skeleton, const HumanoidMap& humanoid, cons
   add_nodes(inputs, options);
   for (const LineInput& input : inputs) add_path(input);
   add_limits(options.limits);
-  for (const PosePin& pin : options.pins) {
-    problem.pins.push_back({node_of(pin.joint), view_ * pin.position / unit_});
-  }
+  add_pins(options.pins);
+  add_body(humanoid, options);
   problem.finish();
 }
 
@@ -177,6 +177,10 @@ void LineScene::add_nodes(const std::vector<LineInput>& inputs, const LineSolver
       throw_invalid_argument("line solver: a pin wants a joint and a finite position, got joint #" +
                              std::to_string(pin.joint));
     }
+    if (pin.rotation && !(pin.rotation->norm() > 1e-6 && pin.rotation->coeffs().allFinite())) {
+      throw_invalid_argument("line solver: the rotation of a pin is no rotation");
+    }
+    if (pin.rotation && pin.joint != body_root_) turns[static_cast<std::size_t>(pin.joint)] = true;
     // Up to the first joint that a line holds, or that carries the body.
     for (int joint = pin.joint; joint >= 0; joint = skeleton_.parent(joint)) {
       const auto at = static_cast<std::size_t>(joint);
@@ -186,9 +190,10 @@ void LineScene::add_nodes(const std::vector<LineInput>& inputs, const LineSolver
         break;
       }
       wanted[at] = true;
-      turns[at] = joint != pin.joint;
+      turns[at] = turns[at] || joint != pin.joint;
     }
   }
+  if (options.floor && !std::isfinite(*options.floor)) throw_invalid_argument("line solver: the floor is not finite");
   if (options.lock_root) turns[static_cast<std::size_t>(body_root_)] = false;
 
   node_of_.assign(wanted.size(), -1);
@@ -223,7 +228,7 @@ void LineScene::add_path(const LineInput& input) {
     path.bones.push_back(bone.norm());
     path.start_depth.push_back(bone.z());
   }
-  path.importance = heed(input, path.bones);
+  heeded_.push_back({heed(input, path.bones, false), heed(input, path.bones, true)});
   set_stiffness(path);
   add_shares(path);
   problem.paths.push_back(std::move(path));
@@ -286,8 +291,37 @@ void LineScene::add_limits(const std::vector<JointLimit>& limits) {
   }
 }
 
+void LineScene::add_pins(const std::vector<PosePin>& pins) {
+  std::vector<Quat> rotations;
+  for (const PosePin& pin : pins) {
+    LinePin held{node_of(pin.joint), view_ * pin.position / unit_};
+    if (pin.rotation) {
+      if (rotations.empty()) rotations = compute_model_rotations(skeleton_, start_);
+      const Quat turn = *pin.rotation * rotations[static_cast<std::size_t>(pin.joint)].conjugate();
+      held.frame = view_.linear() * turn.normalized().toRotationMatrix() * view_.linear().transpose();
+    }
+    problem.pins.push_back(held);
+  }
+}
+
+void LineScene::add_body(const HumanoidMap& humanoid, const LineSolverOptions& options) {
+  if (!options.floor && !options.avoid_overlap) return;
+  NodeMap map{node_of_, {}, view_, unit_};
+  std::vector<Vec3> positions;
+  for (std::size_t i = 0; i < map.carrier.size(); ++i) {
+    positions.emplace_back(model_[i].translation());
+    // The root is always a node: whatever is none moves with the nearest one above.
+    if (map.carrier[i] < 0)
+      map.carrier[i] = map.carrier[static_cast<std::size_t>(skeleton_.parent(static_cast<int>(i)))];
+  }
+  for (const LineNode& node : problem.nodes) map.start.push_back(node.start);
+  problem.body =
+      make_body_points(skeleton_, humanoid, positions, map, {options.floor, options.balance, options.avoid_overlap});
+}
+
 void LineScene::set_stroke(std::size_t index, std::span<const Vec2> stroke, bool reversed) {
   LinePath& path = problem.paths[index];
+  path.importance = heeded_[index][reversed ? 1 : 0];
   path.curve.assign(stroke, pixel_scale_, pixel_offset_, reversed);
   double reach = 0.0;
   for (std::size_t k = 0; k < path.bones.size(); ++k) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -35,6 +36,8 @@ class LineScene {
   void add_path(const LineInput& input);
   void set_stiffness(const LinePath& path);
   void add_shares(const LinePath& path);
+  void add_pins(const std::vector<PosePin>& pins);
+  void add_body(const HumanoidMap& humanoid, const LineSolverOptions& options);
   void add_limits(const std::vector<JointLimit>& limits);
 
   const Skeleton& skeleton_;
@@ -42,7 +45,9 @@ class LineScene {
   std::vector<JointRole> roles_;
   std::vector<Affine> model_;  ///< of the start pose
   std::vector<Mat3> above_;    ///< per node: orthogonal part of what is above the joint, in view axes
-  std::vector<int> node_of_;   ///< per joint, -1: not in the problem
+  std::vector<std::array<std::vector<double>, 2>>
+      heeded_;                ///< importance per path, for the stroke as it is and turned round
+  std::vector<int> node_of_;  ///< per joint, -1: not in the problem
   int body_root_ = 0;
   Affine view_ = Affine::Identity();
   double unit_ = 1.0;

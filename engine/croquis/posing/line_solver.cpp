@@ -4,63 +4,17 @@
 #include "croquis/posing/line_solver.h"
 
 #include <algorithm>
-#include <limits>
+#include <memory>
 
 #include "croquis/base/error.h"
 #include "croquis/base/text.h"
-#include "croquis/math/rotation.h"
-#include "croquis/posing/correspondence.h"
-#include "croquis/posing/line_descent.h"
 #include "croquis/posing/line_scene.h"
-#include "croquis/posing/line_start.h"
+#include "croquis/posing/line_search.h"
 #include "croquis/posing/redraw.h"
+#include "croquis/posing/standing.h"
 
 namespace croquis {
 namespace {
-
-struct Solution {
-  LineState state;
-  DescentReport report;
-};
-
-/// The best of a few starts, descended to the end.
-Solution solve_scene(const LineScene& scene, LineDescent& descent, const LineSolverOptions& options) {
-  const LineProblem& problem = scene.problem;
-  std::vector<LineState> starts;
-  Correspondence correspondence;
-  std::vector<BoneSpan> bones;
-  LineState state = problem.start_state();
-  lay_on_chords(problem, {}, state);  // stepped by the lengths of the bones
-  starts.push_back(state);
-  const bool open =
-      std::any_of(problem.paths.begin(), problem.paths.end(), [](const LinePath& p) { return !p.hold_last; });
-  for (const double depth : {1.0, 0.1}) {
-    if (open) break;
-    CorrespondenceWeights weights;
-    weights.depth = depth;
-    for (std::size_t i = 0; i < problem.paths.size(); ++i) {
-      measure_bones(problem, problem.paths[i], bones);
-      correspondence.solve(problem.paths[i].curve, bones, weights, state.along[i]);
-    }
-    lay_on_chords(problem, {}, state);
-    starts.push_back(state);
-  }
-
-  Solution best;
-  best.report.energy = std::numeric_limits<double>::infinity();
-  for (LineState& start : starts) {
-    const DescentReport report = descent.minimise(problem, start, {8, 1e-4});
-    if (report.energy < best.report.energy) best = {start, report};
-  }
-  // A pose drawn over that is nearly right already is the best start of all.
-  state = problem.start_state();
-  const DescentReport from_start = descent.minimise(problem, state, {8, 1e-4});
-  if (from_start.energy < best.report.energy) best = {state, from_start};
-  const int before = best.report.iterations;
-  best.report = descent.minimise(problem, best.state, {options.iterations, 1e-6});
-  best.report.iterations += before;
-  return best;
-}
 
 /// The joint that misses its pin farthest, by more than 1e-4 of the body's size, in words; empty if all hold.
 std::string missed_pin(const Skeleton& skeleton, const std::vector<PosePin>& pins, const Pose& pose,
@@ -79,80 +33,105 @@ std::string missed_pin(const Skeleton& skeleton, const std::vector<PosePin>& pin
   return text;
 }
 
-void fill_report(const LineScene& scene, const Solution& solution, const std::vector<LineInput>& inputs,
-                 const LineSolverOptions& options, const Skeleton& skeleton, const Pose& start, const Camera& camera,
-                 LineSolverResult& result) {
+/// Whether a joint lies so far off its stroke that something must be in the way.
+bool misses_line(const LineProblem& problem, const LineState& state) {
+  constexpr double kFar = 0.05;  // of the line's length
+  for (const LinePath& path : problem.paths) {
+    for (const int node : path.nodes) {
+      const Vec2 seen = problem.project(state.position[static_cast<std::size_t>(node)]);
+      if ((path.curve.at(path.curve.nearest(seen)) - seen).norm() > kFar) return true;
+    }
+  }
+  return false;
+}
+
+/// What the poses of one scene share.
+struct Question {
+  const Skeleton& skeleton;
+  const Pose& start;
+  const std::vector<LineInput>& inputs;
+  const Camera& camera;
+  const LineSolverOptions& options;
+};
+
+std::string status_of(const LineScene& scene, const LineSolution& solution, const LineSolverResult& result,
+                      const std::string& missed) {
+  if (!scene.scales_evenly() && result.bone_length_drift > 1e-6) {
+    return "bone lengths changed by up to " + format_double(100.0 * result.bone_length_drift, 3) +
+           " %: a joint above them is scaled unevenly";
+  }
+  if (!missed.empty()) return missed;
+  if (!solution.report.converged) {
+    return "stopped after " + std::to_string(solution.report.iterations) + " iterations";
+  }
+  return "ok";
+}
+
+/// A start pose that keeps its pins, its floor and its balance asks for nothing but the line.
+bool start_is_free(const LineProblem& problem) { return problem.bodily_energy(problem.start_state()) < 1e-10; }
+
+LineSolverResult finish(const LineScene& scene, LineSolution solution, const Question& question) {
+  LineSolverResult result;
+  if (start_is_free(scene.problem)) take_share(scene.problem, redraw_share(scene.problem), solution.state);
+  std::vector<Crossing> crossings;
+  clamp_to_limits(scene.problem, solution.state, crossings);  // a share of a turn may pass where neither end does
+  scene.write_pose(solution.state, result.pose);
+  result.forward = solution.forward;
   result.report.iterations = solution.report.iterations;
   result.report.residual = solution.report.energy;
-  result.bone_length_drift = bone_length_drift(skeleton, start, result.pose);
-  const std::string missed = missed_pin(skeleton, options.pins, result.pose, result.pins_missed);
-  if (!scene.scales_evenly() && result.bone_length_drift > 1e-9) {
-    result.report.status = "bone lengths changed by up to " + format_double(100.0 * result.bone_length_drift, 3) +
-                           " %: a joint above them is scaled unevenly";
-  } else if (!missed.empty()) {
-    result.report.status = missed;
-  } else if (!solution.report.converged) {
-    result.report.status = "stopped after " + std::to_string(solution.report.iterations) + " iterations";
-  }
+  result.bone_length_drift = bone_length_drift(question.skeleton, question.start, result.pose);
+  const std::string missed = missed_pin(question.skeleton, question.options.pins, result.pose, result.pins_missed);
+  result.report.status = status_of(scene, solution, result, missed);
   result.limits_widened = scene.limits_widened();
-  for (const int joint : find_limit_violations(options.limits, result.pose)) {
+  for (const int joint : find_limit_violations(question.options.limits, result.pose)) {
     if (scene.node_of(joint) >= 0) result.limit_violations.push_back(joint);
   }
-  int turning = 0;
-  for (std::size_t i = 0; i < scene.problem.nodes.size(); ++i) {
-    const LineNode& node = scene.problem.nodes[i];
-    if (node.column < 0) continue;
-    result.turned += (node.stiffness * rotation_to_vector(solution.state.turn[i])).squaredNorm();
-    ++turning;
+  result.turned = turned_by(scene.problem, solution.state);
+  result.overlap = scene.problem.overlap(solution.state) * scene.unit() / question.skeleton.extent();
+  for (const LineInput& input : question.inputs) {
+    result.fits.push_back(measure_fit(question.skeleton, result.pose, input.line, input.stroke, question.camera));
   }
-  if (turning > 0) result.turned /= turning;
-  for (const LineInput& input : inputs) {
-    result.fits.push_back(measure_fit(skeleton, result.pose, input.line, input.stroke, camera));
-  }
+  return result;
 }
 
 }  // namespace
-
-LineSolverResult solve_lines(const Skeleton& skeleton, const HumanoidMap& humanoid, const Pose& start,
-                             const std::vector<LineInput>& inputs, const Camera& camera,
-                             const LineSolverOptions& options) {
-  LineScene scene(skeleton, humanoid, start, inputs, camera, options);
-  LineDescent descent;
-  descent.prepare(scene.problem);
-
-  // Directions that are not given are tried both ways, one line at a time.
-  Solution best;
-  LineSolverResult result;
-  for (std::size_t i = 0; i < inputs.size(); ++i) {
-    result.forward.push_back(inputs[i].direction != LineInput::Direction::backward);
-    if (!result.forward[i]) scene.set_stroke(i, inputs[i].stroke.points(), true);
-  }
-  best = solve_scene(scene, descent, options);
-  for (std::size_t i = 0; i < inputs.size(); ++i) {
-    if (inputs[i].direction != LineInput::Direction::automatic) continue;
-    scene.set_stroke(i, inputs[i].stroke.points(), true);
-    Solution turned = solve_scene(scene, descent, options);
-    if (turned.report.energy < best.report.energy) {
-      best = std::move(turned);
-      result.forward[i] = false;
-    } else {
-      scene.set_stroke(i, inputs[i].stroke.points(), false);
-    }
-  }
-
-  take_share(scene.problem, redraw_share(scene.problem), best.state);
-  std::vector<Crossing> crossings;
-  clamp_to_limits(scene.problem, best.state, crossings);  // a share of a turn may pass where neither end does
-  scene.write_pose(best.state, result.pose);
-  fill_report(scene, best, inputs, options, skeleton, start, camera, result);
-  return result;
-}
 
 std::vector<LineSolverResult> solve_alternatives(const Skeleton& skeleton, const HumanoidMap& humanoid,
                                                  const Pose& start, const std::vector<LineInput>& inputs,
                                                  const Camera& camera, const LineSolverOptions& options, int count) {
   if (count < 1) throw_invalid_argument("line solver: wanted " + std::to_string(count) + " poses, at least one");
-  return {solve_lines(skeleton, humanoid, start, inputs, camera, options)};
+  // Feet that stand go on standing, unless the line then is out of reach: a jump.
+  LineSolverOptions held = options;
+  for (const PosePin& pin : pin_standing_feet(skeleton, humanoid, start, inputs, options)) held.pins.push_back(pin);
+  auto scene = std::make_unique<LineScene>(skeleton, humanoid, start, inputs, camera, held);
+  auto search = std::make_unique<LineSearch>(*scene, inputs, options.iterations);
+  LineSolution best = search->best();
+  if (held.pins.size() > options.pins.size() && misses_line(scene->problem, best.state)) {
+    auto free_scene = std::make_unique<LineScene>(skeleton, humanoid, start, inputs, camera, options);
+    auto free_search = std::make_unique<LineSearch>(*free_scene, inputs, options.iterations);
+    LineSolution leaping = free_search->best();
+    if (!misses_line(free_scene->problem, leaping.state)) {
+      search = std::move(free_search);
+      scene = std::move(free_scene);
+      best = std::move(leaping);
+      held.pins = options.pins;
+    }
+  }
+  const Question question{skeleton, start, inputs, camera, held};
+  std::vector<LineSolution> others;
+  if (count > 1) others = search->others(best);
+  std::vector<LineSolverResult> results{finish(*scene, std::move(best), question)};
+  for (LineSolution& other : others) {
+    if (std::ssize(results) >= count) break;
+    results.push_back(finish(*scene, std::move(other), question));
+  }
+  return results;
+}
+
+LineSolverResult solve_lines(const Skeleton& skeleton, const HumanoidMap& humanoid, const Pose& start,
+                             const std::vector<LineInput>& inputs, const Camera& camera,
+                             const LineSolverOptions& options) {
+  return std::move(solve_alternatives(skeleton, humanoid, start, inputs, camera, options, 1).front());
 }
 
 }  // namespace croquis
