@@ -94,11 +94,11 @@ bool project_line(const Draw& draw, const Pose& pose, std::vector<Vec2>& out) {
   return true;
 }
 
-/// Slow wander of a hand: a few sines with random phases.
+/// Slow wander of a hand: a few sines with random phases; `size` is the root mean square distance that points move.
 void add_noise(std::vector<Vec2>& points, double size, Random& random) {
   for (int axis = 0; axis < 2; ++axis) {
     for (int wave = 1; wave <= 6; ++wave) {
-      const double amplitude = size * random.normal() / std::sqrt(3.0), phase = random.uniform(0.0, 2.0 * kPi);
+      const double amplitude = size * random.normal() / std::sqrt(6.0), phase = random.uniform(0.0, 2.0 * kPi);
       for (std::size_t i = 0; i < points.size(); ++i) {
         points[i][axis] += amplitude * std::sin(phase + 2.0 * kPi * wave * static_cast<double>(i) /
                                                             static_cast<double>(points.size()));

@@ -24,7 +24,7 @@ struct DrawOptions {
   int poses = 60;
   std::uint64_t seed = 1;
   int views = 2;               ///< per pose and line
-  double noise_percent = 0.0;  ///< standard deviation of smooth hand noise, per cent of H
+  double noise_percent = 0.0;  ///< smooth hand noise: root mean square distance from the true line, per cent of H
 };
 
 struct DrawSet {

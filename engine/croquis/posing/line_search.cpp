@@ -21,6 +21,24 @@ double tipped(const LineProblem& problem, const LineState& state) {
   return 0.0;
 }
 
+/// Mean distance of the strokes from the lines as they stand in the start pose, parts of equal length compared.
+double drawn_away(const LineProblem& problem) {
+  constexpr int kParts = 16;
+  double sum = 0.0;
+  for (const LinePath& path : problem.paths) {
+    std::vector<Vec2> joints;
+    for (const int node : path.nodes) {
+      joints.push_back(problem.project(problem.nodes[static_cast<std::size_t>(node)].start));
+    }
+    const Polyline2 own(std::move(joints));
+    for (int i = 0; i <= kParts; ++i) {
+      const double part = static_cast<double>(i) / kParts;
+      sum += (path.curve.at(part * path.curve.length()) - own.at(part * own.length())).norm();
+    }
+  }
+  return sum / (static_cast<double>(problem.paths.size()) * (kParts + 1));
+}
+
 /// The largest distance between the same joints of two states, problem units.
 double apart(const LineState& a, const LineState& b) {
   double most = 0.0;
@@ -68,8 +86,8 @@ void LineSearch::judge(LineSolution& solution) const {
   double joints = 0.0;
   for (const LinePath& path : scene_.problem.paths) joints += static_cast<double>(path.nodes.size());
   const double miss = std::sqrt(2.0 * solution.report.energy / joints);
-  solution.cost =
-      10.0 * miss + std::sqrt(turned_by(scene_.problem, solution.state)) + tipped(scene_.problem, solution.state);
+  solution.cost = 10.0 * miss + std::sqrt(turned_by(scene_.problem, solution.state)) +
+                  tipped(scene_.problem, solution.state) + 6.0 * drawn_away(scene_.problem);
   solution.forward = forward_;
 }
 
