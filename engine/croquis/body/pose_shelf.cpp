@@ -24,9 +24,9 @@ constexpr std::array<Entry, 28> kBodies{{
     {"Relaxed", "both UpperArm z-76; both LowerArm y-18; both UpperLeg z3; spine x2; head x4"},
     {"Contrapposto",
      "hips z7; spine z-6; chest z-7; neck z5; head z3 y14 x4; rightUpperLeg z-7; leftUpperLeg x-16 z1 y16; "
-     "leftLowerLeg x26; leftFoot x-6; rightFoot z7; leftUpperArm z-70 x6; leftLowerArm y-24; rightUpperArm x28 z58 "
-     "y28; rightLowerArm y88"},
-    {"Hero", "both UpperArm z-52 y14; both LowerArm y-92; both UpperLeg z11 y8; chest x-8; head x-6"},
+     "leftLowerLeg x26; leftFoot x-6; rightFoot z7; leftUpperArm z-68 x8; leftLowerArm y-20; rightUpperArm z50 x70; "
+     "rightLowerArm y98; rightHand y-38"},
+    {"Hero", "both UpperArm z-46 x72; both LowerArm y-98; both Hand y38; both UpperLeg z11 y8; chest x-8; head x-6"},
     {"Walk",
      "hips y-6; spine x4 y6; chest y7; leftUpperLeg x-26; leftLowerLeg x8; leftFoot x-14; rightUpperLeg x22; "
      "rightLowerLeg x20; rightFoot x28; leftUpperArm x24 z-74; leftLowerArm y-18; rightUpperArm x-26 z74; "
@@ -75,12 +75,11 @@ constexpr std::array<Entry, 28> kBodies{{
      "x-14; "
      "both UpperArm x-48 z-70; both LowerArm y-30"},
     {"Thinking",
-     "hips z-4; spine x6 z4; head x14 z6 y8; rightUpperLeg x-8 z-4; rightLowerLeg x16; leftUpperArm x-18 z-70 y-20; "
-     "leftLowerArm y-96; rightUpperArm x-44 z70 y20; rightLowerArm y132; rightHand z-14"},
+     "hips z-4; spine x6 z4; head x12 z6 y-8; rightUpperLeg x-8 z-4; rightLowerLeg x16; leftUpperArm x-22 z-74 x62; "
+     "leftLowerArm y-96; rightUpperArm x-50 z72 x40; rightLowerArm y135; rightHand z-14"},
     {"Arms crossed",
-     "chest x-3; head x3; both UpperLeg z6; leftUpperArm x-30 z-70 y-26; leftLowerArm y-104; rightUpperArm x-26 z68 "
-     "y30; "
-     "rightLowerArm y108"},
+     "chest x-3; head x3; both UpperLeg z6; leftUpperArm x-40 z-72 x64; leftLowerArm y-106; rightUpperArm x-22 z72 "
+     "x64; rightLowerArm y100"},
     {"Wave",
      "spine z-3; head z-6 y10; leftUpperArm z14 y-10; leftLowerArm x-90 y-96; leftHand z-10; rightUpperArm z76; "
      "rightLowerArm y16; both UpperLeg z3"},

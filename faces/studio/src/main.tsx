@@ -114,6 +114,7 @@ async function start(): Promise<void> {
   Object.assign(window, { croquis: ready });
   await ready.start();
   element('loading').hidden = true;
+  performance.mark('croquis-ready');
   document.documentElement.dataset['ready'] = 'true';
   if (query.has('perf')) startMeter(ready, element('panels'));
   if ('serviceWorker' in navigator && import.meta.env.PROD) await navigator.serviceWorker.register('./service-worker.js');

@@ -3,22 +3,20 @@
 import { effect, signal } from '@preact/signals';
 import * as THREE from 'three';
 import type { EngineClient } from './engine/client';
-import type { ActorInfo, CameraSpec, Command, ExportFormat, PoseFrame, Sample, StrokeInfo, TableState, Vec3 } from './engine/protocol';
+import type { CameraSpec, Command, ExportFormat, PoseFrame, Sample, StrokeInfo, TableState, Vec3 } from './engine/protocol';
 import { t } from './i18n/strings';
 import type { Journal } from './model/journal';
+import { keepAll } from './model/pose_shelf';
 import { dark, leftHanded, showSkeleton } from './model/prefs';
 import { Table } from './model/table';
+import { isEnd, isInView, type LiveLine, newestStroke, Overlay } from './overlay';
 import { DragTool, RotateTool, SelectTool, type BodyContext } from './tools/body_tools';
 import { distanceTo, DrawTool, type DrawContext } from './tools/draw_tool';
 import { Gestures } from './tools/gestures';
 import type { Tool, ToolName } from './tools/tool';
-import { InkLayer, type InkLine, type Marker, toPoints } from './view/ink';
+import { InkLayer } from './view/ink';
+import { drawOpenPose } from './view/open_pose_picture';
 import { Stage, type Quality } from './view/stage';
-
-const INK = { light: '#8c2f1b', dark: '#ff9d7a' };
-const INK_QUIET = { light: 'rgba(90,60,45,0.45)', dark: 'rgba(255,220,200,0.4)' };
-const SIDE = { left: '#c2572b', right: '#2f6f9f', middle: '#7a6a58' };
-const ENDS = /Hand$|Foot$|Toes$|^head$/;
 
 export class Studio {
   readonly table: Table;
@@ -30,7 +28,8 @@ export class Studio {
   readonly backdrop = signal<{ url: string; opacity: number } | null>(null);
   readonly light = signal({ heading: -0.42, elevation: 0.91 });
   private readonly tools: Record<ToolName, Tool>;
-  private live: { samples: Sample[]; editing: number | null } | null = null;
+  private live: LiveLine | null = null;
+  private readonly overlay: Overlay;
   private hovered: number | null = null;
   private copied: { pose: string } | null = null;
   private size = { width: 1, height: 1 };
@@ -39,6 +38,7 @@ export class Studio {
     this.table = new Table(engine, journal);
     this.stage = new Stage(canvas, quality);
     this.ink = new InkLayer(glass);
+    this.overlay = new Overlay(this.table, this.stage, this.ink, () => this.tool.value);
     const body = this.bodyContext();
     this.tools = {
       draw: new DrawTool(this.drawContext()),
@@ -66,10 +66,11 @@ export class Studio {
     });
     effect(() => this.stage.setLight(this.light.value.heading, this.light.value.elevation));
     effect(() => {
-      void [showSkeleton.value, this.tool.value, this.table.stroke.value, this.table.joint.value, this.table.picked.value];
+      void [showSkeleton.value, this.tool.value, this.table.stroke.value, this.table.joint.value, this.table.picked.value, this.table.segments.value];
       this.stage.invalidate();
     });
     effect(() => this.stage.showPlane(this.planeNormal()));
+    effect(() => void this.table.checkPicked(this.table.picked.value, this.table.actor.value));
   }
 
   get active(): Tool {
@@ -108,10 +109,10 @@ export class Studio {
   /** A step through the readings of the newest line: other body line, other direction, other depth. */
   async cycle(step: number): Promise<void> {
     const stroke = this.strokeInHand();
-    const count = this.table.solved.value?.alternatives.length ?? 0;
-    if (!stroke || count < 2) return;
-    const chosen = this.table.solved.value?.chosen ?? 0;
-    await this.chooseAlternative((chosen + step + count) % count);
+    if (!stroke) return;
+    const solved = this.table.solvedStroke.value === stroke.id ? this.table.solved.value : null;
+    const count = solved?.alternatives.length ?? 6;
+    if (count > 1) await this.chooseAlternative(((solved?.chosen ?? stroke.settings.alternative) + step + count) % count);
   }
 
   async chooseAlternative(alternative: number): Promise<void> {
@@ -120,10 +121,27 @@ export class Studio {
   }
 
   strokeInHand(): StrokeInfo | null {
-    return this.table.currentStroke.value ?? this.table.state.value.strokes.at(-1) ?? null;
+    return newestStroke(this.table);
   }
 
+  async addCharacter(name: string): Promise<void> {
+    await this.table.run({ name: 'add_character', character: name });
+    this.table.actor.value = this.table.state.value.actors.at(-1)?.id ?? 0;
+    this.frameSelected();
+  }
+
+  async newTable(): Promise<void> {
+    await this.table.run({ name: 'clear' });
+    await this.addCharacter('mannequin');
+  }
+
+  /** Puts a file on the table: a character, a project, kept poses, or a picture to trace. */
   async openFile(file: File): Promise<boolean> {
+    if (file.type.startsWith('image/')) {
+      this.backdrop.value = { url: URL.createObjectURL(file), opacity: 0.5 };
+      return true;
+    }
+    if (file.name.endsWith('.json')) return this.openPoses(file);
     const bytes = new Uint8Array(await file.arrayBuffer());
     const change = await this.table.run({ name: 'open', file: file.name }, bytes);
     if (!change) return false;
@@ -132,6 +150,17 @@ export class Studio {
     this.frameSelected();
     this.table.tell(t('opened', newest?.name || file.name));
     return true;
+  }
+
+  private async openPoses(file: File): Promise<boolean> {
+    try {
+      const count = keepAll(await file.text());
+      this.table.tell(t('posesOpened', count));
+      return true;
+    } catch (error) {
+      this.table.tell(t('posesRefused', file.name, (error as Error).message), 'error');
+      return false;
+    }
   }
 
   async export(format: ExportFormat): Promise<Blob | null> {
@@ -155,6 +184,14 @@ export class Studio {
       context.drawImage(this.ink.canvas, 0, 0, this.size.width, this.size.height);
       this.drawInk();
     }
+    return new Promise((resolve) => canvas.toBlob(resolve, 'image/png'));
+  }
+
+  /** The OpenPose figure of everyone on the table, on black, as picture-making programs want it. */
+  async openPosePicture(): Promise<Blob | null> {
+    const json = await this.export('openpose');
+    if (!json) return null;
+    const canvas = drawOpenPose(await json.text());
     return new Promise((resolve) => canvas.toBlob(resolve, 'image/png'));
   }
 
@@ -208,7 +245,7 @@ export class Studio {
     return {
       editable: () => {
         const stroke = this.table.currentStroke.value;
-        return stroke && !stroke.hidden && this.isInView(stroke) ? this.onScreen(stroke) : null;
+        return stroke && !stroke.hidden && isInView(stroke, this.stage.rig) ? stroke : null;
       },
       camera: () => this.stage.rig.toSpec(),
       drawCommand: (samples, camera) => this.drawCommand(samples, camera),
@@ -284,22 +321,9 @@ export class Studio {
 
   private strokeAt(x: number, y: number): number | null {
     const near = this.table.state.value.strokes.filter(
-      (stroke) => !stroke.hidden && this.isInView(stroke) && distanceTo(this.onScreen(stroke).samples, { x, y }).distance < 14,
+      (stroke) => !stroke.hidden && isInView(stroke, this.stage.rig) && distanceTo(stroke.samples, { x, y }).distance < 14,
     );
     return near.at(-1)?.id ?? null;
-  }
-
-  /** A stroke is shown as drawn only from where it was drawn; from elsewhere it is shown in its plane, quietly. */
-  private isInView(stroke: StrokeInfo): boolean {
-    const now = this.stage.rig.toSpec();
-    const far = (a: Vec3, b: Vec3) => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-    const scale = 1e-3 * far(now.position, now.target);
-    const same = now.projection === stroke.camera.projection && far(now.position, stroke.camera.position) < scale;
-    return same && far(now.target, stroke.camera.target) < scale && now.height_px === stroke.camera.height_px;
-  }
-
-  private onScreen(stroke: StrokeInfo): StrokeInfo {
-    return stroke;
   }
 
   private async follow(state: TableState): Promise<void> {
@@ -332,88 +356,6 @@ export class Studio {
   }
 
   private drawInk(helpers = true): void {
-    const theme = dark.value ? 'dark' : 'light';
-    const lines: InkLine[] = [];
-    for (const stroke of this.table.state.value.strokes) {
-      if (stroke.hidden || stroke.id === this.live?.editing) continue;
-      const selected = stroke.id === this.table.stroke.value && helpers;
-      if (this.isInView(stroke)) {
-        const newest = stroke === this.strokeInHand();
-        lines.push({ points: toPoints(stroke.samples), color: newest ? INK[theme] : INK_QUIET[theme], width: 4, handles: selected && this.tool.value !== 'drag' });
-      } else {
-        lines.push({ points: this.anchored(stroke), color: INK_QUIET[theme], width: 2.5, dashed: true });
-      }
-    }
-    if (this.live) lines.push({ points: toPoints(this.live.samples), color: INK[theme], width: 4.5, handles: this.live.editing !== null });
-    const [bones, markers] = helpers ? this.helpers() : [[], []];
-    this.ink.draw(lines, bones as [Marker, Marker, string][], markers as Marker[]);
+    this.overlay.draw(this.live, this.hovered, helpers);
   }
-
-  /** A line seen from elsewhere: its points in the plane through the character that faced the pen, projected anew. */
-  private anchored(stroke: StrokeInfo): InkLine['points'] {
-    const camera = cameraOf(stroke.camera);
-    const view = this.stage.characters.get(stroke.actor);
-    const joint = stroke.line.joints[Math.floor(stroke.line.joints.length / 2)] ?? 0;
-    const depth = (view?.joint(joint) ?? new THREE.Vector3()).project(camera).z;
-    return stroke.samples.map(([x, y, , pressure]) => {
-      const ndc = new THREE.Vector3((2 * x) / stroke.camera.width - 1, 1 - (2 * y) / stroke.camera.height_px, depth);
-      const at = this.stage.rig.project(ndc.unproject(camera));
-      return { x: at.x, y: at.y, pressure };
-    });
-  }
-
-  private helpers(): [[Marker, Marker, string][], Marker[]] {
-    const view = this.stage.characters.get(this.table.actor.value);
-    if (!view) return [[], []];
-    const tool = this.tool.value;
-    const chosen = new Set(this.table.picked.value);
-    const line = new Set(this.table.solved.value?.line.joints ?? []);
-    const pins = new Set(view.info.pins.map((pin) => pin.joint));
-    const bones: [Marker, Marker, string][] = [];
-    const markers: Marker[] = [];
-    view.info.joints.forEach((joint, i) => {
-      if (joint.helper) return;
-      const { x, y } = this.stage.rig.project(view.joint(i));
-      const color = SIDE[sideOf(joint.bone || joint.name)];
-      const at: Marker = { x, y, color, radius: 4 };
-      const parent = view.info.joints[joint.parent];
-      if (parent && !parent.helper && (showSkeleton.value || chosen.has(i))) {
-        const from = this.stage.rig.project(view.joint(joint.parent));
-        bones.push([{ x: from.x, y: from.y, color, radius: 3 }, at, color]);
-      }
-      if (chosen.has(i)) markers.push({ ...at, radius: 7, color: '#b3261e' });
-      else if (pins.has(i)) markers.push({ ...at, radius: 7, color: '#2e7d4f' });
-      else if (i === this.hovered || i === this.table.joint.value) markers.push({ ...at, radius: 8, hollow: true });
-      else if (tool === 'drag' && isEnd(view.info, i)) markers.push({ ...at, radius: 6, hollow: true });
-      else if (tool === 'rotate' || tool === 'select') markers.push({ ...at, radius: 3.5, hollow: true });
-      else if (this.drawingNow.value && line.has(i)) markers.push({ ...at, radius: 3.5 });
-    });
-    return [bones, markers];
-  }
-}
-
-function isEnd(info: ActorInfo, joint: number): boolean {
-  const bone = info.joints[joint]!.bone;
-  if (info.joints.some((j) => /Hand$|Foot$/.test(j.bone))) return ENDS.test(bone);
-  return !info.joints.some((j) => j.parent === joint);
-}
-
-function sideOf(name: string): 'left' | 'right' | 'middle' {
-  return /^left|left_|_l$|\.l$/i.test(name) ? 'left' : /^right|right_|_r$|\.r$/i.test(name) ? 'right' : 'middle';
-}
-
-function cameraOf(spec: CameraSpec): THREE.Camera {
-  const aspect = spec.width / spec.height_px;
-  const half = spec.projection === 'orthographic' ? spec.height / 2 : 0;
-  const far = 1e3 * Math.hypot(...(spec.position.map((p, i) => p - spec.target[i]!) as Vec3));
-  const camera =
-    spec.projection === 'orthographic'
-      ? new THREE.OrthographicCamera(-half * aspect, half * aspect, half, -half, -far, far)
-      : new THREE.PerspectiveCamera(spec.fov_degrees, aspect, far * 1e-6, far);
-  camera.position.set(...spec.position);
-  camera.up.set(...spec.up);
-  camera.lookAt(...spec.target);
-  camera.updateProjectionMatrix();
-  camera.updateMatrixWorld();
-  return camera;
 }

@@ -5,6 +5,7 @@ import { readFileSync, writeFileSync, mkdirSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
+import { bigGlb } from './big_glb.mjs';
 import { arc, DATA, distance, launch, ROOT, servePage, Visit } from './table.mjs';
 
 const require = createRequire(import.meta.url);
@@ -154,13 +155,124 @@ story('characters of every kind are dropped on the table; a broken one is told o
   assert.equal(JSON.stringify(await visit.state()), before, 'the scene is unharmed');
 });
 
-/** A file that begins like a GLB and goes on as nothing. */
-function brokenFile() {
-  const path = join(ROOT, 'build', 'broken.glb');
+function written(name, bytes) {
+  const path = join(ROOT, 'build', name);
   mkdirSync(join(ROOT, 'build'), { recursive: true });
-  writeFileSync(path, Buffer.concat([Buffer.from('glTF'), Buffer.alloc(30, 7)]));
+  writeFileSync(path, bytes);
   return path;
 }
+
+/** A file that begins like a GLB and goes on as nothing. */
+const brokenFile = () => written('broken.glb', Buffer.concat([Buffer.from('glTF'), Buffer.alloc(30, 7)]));
+
+story('a character of 100,000 vertices follows the pen, with one upload a pose', {}, async (visit) => {
+  const toast = await visit.drop(written('big.glb', bigGlb(100_000)));
+  assert.equal(toast.kind, 'note', toast.text);
+  const state = await visit.state();
+  const big = state.actors.at(-1);
+  assert.ok(big.parts[0].vertices >= 100_000);
+  await visit.run({ name: 'remove_actor', actor: state.actors[0].id });
+  await visit.page.evaluate(() => globalThis.croquis.frameSelected());
+  const before = await visit.joints(big.id);
+  const uploads = () => visit.page.evaluate((id) => globalThis.croquis.stage.characters.get(id).palette.uploads, big.id);
+  const [foot, top] = [await visit.pixel('bone0'), await visit.pixel('bone5')];
+  const uploadsBefore = await uploads();
+  await visit.draw(arc(foot, { x: foot.x - 60, y: (foot.y + top.y) / 2 }, { x: top.x + 70, y: top.y + 20 }, 12));
+  assert.ok(distance(before, await visit.joints(big.id)) > 0.05, 'it took the pose');
+  const previews = await visit.page.evaluate(() => globalThis.croquis.table.timings.length);
+  assert.ok((await uploads()) - uploadsBefore <= previews + 2, 'one palette upload for each pose shown');
+  assert.ok((await visit.page.evaluate(() => globalThis.croquis.stage.stats.drawCalls)) < 20);
+});
+
+story('joints are picked by hand, and a selection that is no line is told of', {}, async (visit) => {
+  const tap = async (name) => {
+    const { x, y } = await visit.pixel(name);
+    await visit.pen('mousePressed', x, y, 0.5);
+    await visit.pen('mouseReleased', x, y, 0);
+    await visit.settled();
+  };
+  const told = (test) => visit.page.waitForFunction(test, null, { timeout: 30_000 });
+  await visit.page.keyboard.press('q');
+  for (const bone of ['leftUpperArm', 'leftLowerArm', 'leftHand']) await tap(bone);
+  await told(() => globalThis.croquis.table.segments.value.length > 0);
+  assert.equal(await visit.page.evaluate(() => globalThis.croquis.table.pickedFault.value), '');
+  const picked = await visit.page.evaluate(() => globalThis.croquis.table.picked.value);
+  await visit.page.keyboard.press('d');
+  const [shoulder, hand] = [await visit.pixel('leftUpperArm'), await visit.pixel('leftHand')];
+  await visit.draw(arc(shoulder, { x: (shoulder.x + hand.x) / 2, y: shoulder.y - 50 }, { x: hand.x - 20, y: hand.y - 90 }, 12));
+  assert.deepEqual((await visit.state()).strokes[0].line.joints, picked, 'the line is that of the joints picked');
+  await visit.page.keyboard.press('q');
+  await tap('rightFoot');
+  await told(() => globalThis.croquis.table.pickedFault.value !== '');
+  assert.ok(await visit.page.locator('.fault').isVisible(), 'a clear word where it is no line');
+});
+
+story('a foot is pinned from the bar of its joint, and stays while the hips are dragged', {}, async (visit) => {
+  await visit.page.keyboard.press('g');
+  const foot = await visit.pixel('leftFoot');
+  await visit.pen('mousePressed', foot.x, foot.y, 0.5);
+  await visit.pen('mouseReleased', foot.x, foot.y, 0);
+  await visit.page.locator('.joint-bar button').first().click();
+  await visit.settled();
+  const { actors } = await visit.state();
+  assert.equal(actors[0].pins.length, 1);
+  const at = async (bone) => {
+    const index = actors[0].joints.findIndex((joint) => joint.bone === bone);
+    return (await visit.joints()).slice(3 * index, 3 * index + 3);
+  };
+  const [held, hips] = [await at('leftFoot'), await at('hips')];
+  const joint = actors[0].joints.findIndex((j) => j.bone === 'hips');
+  assert.ok(await visit.run({ name: 'drag', actor: actors[0].id, joint, target: [hips[0] + 0.1, hips[1] - 0.15, hips[2]] }));
+  assert.ok(distance(held, await at('leftFoot')) < 0.01, 'the pinned foot stays');
+  assert.ok(distance(hips, await at('hips')) > 0.05, 'the hips went');
+});
+
+story('own poses are kept in the browser and as a file; a picture becomes the backdrop', {}, async (visit) => {
+  const { page } = visit;
+  await page.locator('.tab').nth(2).click();
+  await page.locator('.section-body input[type=text]').fill('Bend');
+  await page.getByRole('button', { name: 'Keep this pose' }).click();
+  await page.waitForFunction(() => JSON.parse(localStorage.getItem('croquis.poses') ?? '[]').length === 1);
+  const [file] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Save my poses' }).click()]);
+  const text = readFileSync(await file.path(), 'utf8');
+  await page.getByRole('button', { name: 'Forget pose Bend' }).click();
+  await page.waitForFunction(() => JSON.parse(localStorage.getItem('croquis.poses')).length === 0);
+  assert.equal((await visit.drop(written('poses.json', text))).kind, 'note');
+  assert.equal(await page.evaluate(() => JSON.parse(localStorage.getItem('croquis.poses'))[0].name), 'Bend');
+  assert.equal((await visit.drop(written('other.json', '{"poses": 3}'))).kind, 'error');
+  const icon = readFileSync(join(ROOT, 'faces/studio/public/icon-192.png')).toString('base64');
+  await page.evaluate(async (data) => {
+    const blob = await (await fetch(`data:image/png;base64,${data}`)).blob();
+    await globalThis.croquis.openFile(new File([blob], 'photo.png', { type: 'image/png' }));
+  }, icon);
+  assert.match(await page.evaluate(() => document.getElementById('backdrop').style.backgroundImage), /^url\("blob:/);
+});
+
+story('views, lens, light, proportions and a second character', {}, async (visit) => {
+  const { page } = visit;
+  const rig = () => page.evaluate(() => globalThis.croquis.stage.rig.toSpec());
+  await page.keyboard.press('3');
+  const side = await rig();
+  assert.ok(await visit.run({ name: 'keep_view', view_name: 'mine', camera: side }));
+  await page.keyboard.press('1');
+  assert.ok(distance((await rig()).position, side.position) > 1);
+  await page.keyboard.press('5');
+  assert.equal((await rig()).projection, 'orthographic');
+  await page.evaluate((spec) => globalThis.croquis.stage.rig.fromSpec(spec), (await visit.state()).views[0].camera);
+  assert.ok(distance((await rig()).position, side.position) < 1e-6, 'back to the kept view');
+  await page.keyboard.press('7');
+  assert.ok(await visit.run({ name: 'set_table', settings: { floor: false } }));
+  const drawn = await visit.run({ name: 'draw', actor: 1, samples: [[300, 300, 0, 0.5], [320, 250, 0.1, 0.5], [330, 200, 0.2, 0.5]], camera: await rig(), settings: { plane: 'ground', method: 'rotation' } });
+  assert.equal(drawn, false, 'the upright plane is refused from straight above');
+  assert.equal((await page.evaluate(() => globalThis.croquis.table.toasts.value.at(-1))).kind, 'error');
+  const before = await visit.joints();
+  const actor = (await visit.state()).actors[0];
+  assert.ok(await visit.run({ name: 'set_proportions', actor: actor.id, proportions: { heads: 5 } }));
+  assert.ok(distance(before, await visit.joints()) > 0.05, 'another body');
+  await page.evaluate(() => globalThis.croquis.addCharacter('cat'));
+  assert.equal((await visit.state()).actors.length, 2);
+  assert.notEqual(await page.evaluate(() => globalThis.croquis.table.actor.value), actor.id, 'the newcomer is in hand');
+});
 
 async function saved(visit, format) {
   const text = await visit.page.evaluate(async (f) => {
@@ -189,14 +301,26 @@ story('every format is exported, GLB and VRM pass the validator, the picture is 
     if (format === 'svg') assert.match(bytes.toString(), /<path/);
   }
   const levels = await visit.page.evaluate(async () => {
-    const blob = await globalThis.croquis.picture(320, 240, false, true);
-    const image = await createImageBitmap(blob);
-    const canvas = new OffscreenCanvas(320, 240);
-    const context = canvas.getContext('2d');
-    context.drawImage(image, 0, 0);
-    return new Set(context.getImageData(0, 0, 320, 240).data).size;
+    const shades = async (blob) => {
+      const image = await createImageBitmap(blob);
+      const canvas = new OffscreenCanvas(image.width, image.height);
+      const context = canvas.getContext('2d');
+      context.drawImage(image, 0, 0);
+      const { data } = context.getImageData(0, 0, image.width, image.height);
+      return { size: [image.width, image.height], shades: new Set(data).size, clear: data[3] === 0 };
+    };
+    const { croquis } = globalThis;
+    return [await croquis.picture(320, 240, false, true), await croquis.picture(200, 300, true, false), await croquis.openPosePicture()].reduce(
+      async (all, blob) => [...(await all), await shades(blob)], []);
   });
-  assert.ok(levels > 60, 'the picture has many shades');
+  assert.deepEqual(levels[0].size, [320, 240]);
+  assert.ok(levels[0].shades > 60 && !levels[0].clear, 'the picture has many shades');
+  assert.deepEqual(levels[1].size, [200, 300]);
+  assert.ok(levels[1].shades > 60 && levels[1].clear, 'without a background its corner is clear');
+  assert.ok(levels[2].shades > 10, 'the OpenPose figure is drawn');
+  await visit.page.locator('summary', { hasText: 'File' }).click();
+  const [file] = await Promise.all([visit.page.waitForEvent('download'), visit.page.getByRole('button', { name: 'BVH' }).click()]);
+  assert.match(file.suggestedFilename(), /\.bvh$/);
 });
 
 story('a reload gives back the project with its history', {}, async (visit) => {

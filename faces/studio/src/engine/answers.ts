@@ -26,9 +26,10 @@ function frames(table: Table, actors: number[]): PoseFrame[] {
 }
 
 function change(table: Table, json: string, started: number): Change {
-  const answer = parse<{ state?: TableState; moved: number[]; solved?: Solved; solve_ms?: number }>(json);
+  const answer = parse<{ state?: TableState; moved: number[]; solved?: Solved; solve_ms?: number; notice?: string }>(json);
   return {
     ...(answer.state ? { state: answer.state } : {}),
+    ...(answer.notice ? { notice: answer.notice } : {}),
     frames: frames(table, answer.moved),
     solved: answer.solved ?? null,
     timing: { solve_ms: answer.solve_ms ?? 0, engine_ms: performance.now() - started },

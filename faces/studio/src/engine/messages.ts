@@ -33,6 +33,8 @@ export interface Change {
   state?: TableState;
   frames: PoseFrame[];
   solved: Solved | null;
+  /** What could not be done in full. */
+  notice?: string;
   timing: { solve_ms: number; engine_ms: number };
 }
 

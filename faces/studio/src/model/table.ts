@@ -38,6 +38,11 @@ export class Table {
   readonly joint = signal<number | null>(null);
   /** Joints picked by hand for the next line, in order. */
   readonly picked = signal<number[]>([]);
+  /** The segments that they make, and why they do not where they do not. */
+  readonly segments = signal<number[][]>([]);
+  readonly pickedFault = signal('');
+  /** The line that `solved` is about. */
+  readonly solvedStroke = signal<number | null>(null);
   readonly drawing = signal<Partial<StrokeSettings>>({ method: 'line', body_line: 'auto' });
   readonly toasts = signal<Toast[]>([]);
   readonly busy = signal(0);
@@ -61,6 +66,8 @@ export class Table {
       const copy = bytes?.slice();
       const change = await this.engine.commit(command, bytes);
       await this.accept(change);
+      if (change.solved) this.solvedStroke.value = 'stroke' in command ? command.stroke : (this.state.value.strokes.at(-1)?.id ?? null);
+      if (change.notice) this.tell(change.notice);
       void this.journal.append({ kind: 'commit', command, ...(copy ? { bytes: copy } : {}) });
       return change;
     } catch (error) {
@@ -94,6 +101,21 @@ export class Table {
     const change = await this.engine.cancelPreview();
     this.solved.value = null;
     this.onFrames(change.frames);
+  }
+
+  /** Asks the engine what joints picked by hand make. */
+  async checkPicked(joints: number[], actor: number): Promise<void> {
+    let answer = { valid: true, message: '', segments: [] as number[][] };
+    if (joints.length > 1) {
+      answer = await this.engine
+        .query<typeof answer>('selection', { actor, joints })
+        .catch((error: Error) => ({ valid: false, message: error.message, segments: [] }));
+    }
+    if (joints !== this.picked.value) return; // others have been picked since
+    batch(() => {
+      this.segments.value = answer.segments;
+      this.pickedFault.value = answer.message;
+    });
   }
 
   undo = (): Promise<void> => this.step('undo');

@@ -34,10 +34,16 @@ export async function exportFile(studio: Studio, format: ExportFormat): Promise<
   await download(await studio.export(format), `${name}.${extension}`, studio);
 }
 
+/** Two files: the figure as a picture, and its points as JSON. */
+export async function exportOpenPose(studio: Studio): Promise<void> {
+  await download(await studio.openPosePicture(), 'openpose.png', studio);
+  await download(await studio.export('openpose'), 'openpose.json', studio);
+}
+
 export function chooseFile(studio: Studio): void {
   const input = document.createElement('input');
   input.type = 'file';
-  input.accept = '.glb,.gltf,.vrm,.bvh,.croquis';
+  input.accept = '.glb,.gltf,.vrm,.bvh,.croquis,.json,image/*';
   input.onchange = () => {
     const file = input.files?.[0];
     if (file) void studio.openFile(file);
@@ -55,7 +61,7 @@ export function makeActions(studio: Studio): Action[] {
   });
   const actor = () => table.actor.value;
   const joint = () => table.joint.value;
-  const exports: ExportFormat[] = ['glb', 'gltf', 'vrm', 'bvh', 'svg', 'openpose'];
+  const exports: ExportFormat[] = ['glb', 'gltf', 'vrm', 'bvh', 'svg'];
   return [
     action('undo', 'undo', ['Ctrl+Z'], table.undo),
     action('redo', 'redo', ['Ctrl+Shift+Z', 'Ctrl+Y'], table.redo),
@@ -115,18 +121,11 @@ export function makeActions(studio: Studio): Action[] {
     action('png', 'exportPng', ['Ctrl+E'], () => void (dialog.value = 'export')),
     ...exports.map((format) => action(`export.${format}`, () => t('exportAs', format.toUpperCase()), [], () => exportFile(studio, format))),
     ...['mannequin', 'cat', 'snake', 'tree'].map((name) =>
-      action(`add.${name}`, () => t('addCharacter', name), [], async () => {
-        await table.run({ name: 'add_character', character: name });
-        table.actor.value = table.state.value.actors.at(-1)?.id ?? 0;
-        studio.frameSelected();
-      }),
+      action(`add.${name}`, () => t('addCharacter', name), [], () => studio.addCharacter(name)),
     ),
     action('remove', 'removeCharacter', [], () => void table.run({ name: 'remove_actor', actor: actor() })),
-    action('new', 'newTable', [], async () => {
-      await table.run({ name: 'clear' });
-      await table.run({ name: 'add_character', character: 'mannequin' });
-      studio.frameSelected();
-    }),
+    action('new', 'newTable', [], () => studio.newTable()),
+    action('openpose', 'exportOpenPose', [], () => exportOpenPose(studio)),
     action('palette', 'palette', ['Ctrl+K', 'F3'], () => void (dialog.value = 'palette')),
   ];
 }

@@ -5,9 +5,12 @@ import { hintSeen, leftHanded, showMini } from '../model/prefs';
 import type { Studio } from '../studio';
 import type { ToolName } from '../tools/tool';
 import { chooseFile, dialog, download, exportFile, type Action } from './actions';
-import { IconButton, Switch } from './controls';
+import { Button, IconButton, Switch } from './controls';
 import { Icon, type IconName } from './icons';
-import { AdvancedPanel, CharacterPanel, LinePanel, PosePanel, RulesPanel, ShelfPanel, ViewPanel } from './panels';
+import { FilePanel } from './file_panel';
+import { AdvancedPanel, CharacterPanel, LinePanel, PosePanel, RulesPanel } from './panels';
+import { ShelfPanel } from './shelf_panel';
+import { ViewPanel } from './view_panel';
 
 type Props = { studio: Studio; actions: Action[] };
 
@@ -28,6 +31,7 @@ export function App({ studio, actions }: Props) {
       <ToolBar studio={studio} />
       <TopBar studio={studio} panelsOpen={panelsOpen} togglePanels={() => setPanelsOpen(!panelsOpen)} />
       <Hint studio={studio} />
+      <JointBar studio={studio} />
       <Chips studio={studio} />
       {showMini.value && <MiniView studio={studio} />}
       <aside class="panels" aria-label={t('menu')} hidden={!panelsOpen}>
@@ -38,6 +42,7 @@ export function App({ studio, actions }: Props) {
         <CharacterPanel studio={studio} />
         <ViewPanel studio={studio} />
         <AdvancedPanel studio={studio} />
+        <FilePanel studio={studio} />
       </aside>
       <Toasts studio={studio} />
       {dialog.value === 'palette' && <Palette actions={actions} />}
@@ -68,6 +73,7 @@ function TopBar({ studio, panelsOpen, togglePanels }: { studio: Studio; panelsOp
       <IconButton icon="frame" label={t('frameSelected')} onClick={() => studio.frameSelected()} />
       <IconButton icon="open" label={t('open')} onClick={() => chooseFile(studio)} />
       <IconButton icon="keep" label={t('saveProject')} onClick={() => void exportFile(studio, 'croquis')} />
+      <IconButton icon="search" label={t('palette')} onClick={() => (dialog.value = 'palette')} />
       <IconButton icon="menu" label={t('menu')} pressed={panelsOpen} onClick={togglePanels} />
     </header>
   );
@@ -87,23 +93,43 @@ function Hint({ studio }: { studio: Studio }) {
   );
 }
 
+/** What can be done with the joint in hand. */
+function JointBar({ studio }: { studio: Studio }) {
+  const { table } = studio;
+  const joint = table.joint.value;
+  const actor = table.current.value;
+  if (joint === null || !actor || studio.tool.value === 'draw') return null;
+  const pinned = actor.pins.some((pin) => pin.joint === joint);
+  return (
+    <div class="joint-bar" role="group" aria-label={t('jointTools')}>
+      <span class="quiet">{spell(actor.joints[joint]?.bone || actor.joints[joint]?.name || '')}</span>
+      <Button onClick={() => void table.run({ name: 'pin', actor: actor.id, joint, on: !pinned, with_rotation: false })}>{t(pinned ? 'unpin' : 'pin')}</Button>
+      <Button onClick={() => void table.run({ name: 'reset', actor: actor.id, joints: studio.limbOf(joint), amount: 1 })}>{t('resetLimb')}</Button>
+      <IconButton icon="close" label={t('close')} onClick={() => (table.joint.value = null)} />
+    </div>
+  );
+}
+
 /** Which line was meant: the reading in hand and the others, a tap away. */
 function Chips({ studio }: { studio: Studio }) {
-  const solved = studio.table.solved.value;
-  if (!solved) return null;
+  const { table } = studio;
+  const stroke = studio.strokeInHand();
+  const isAbout = studio.drawingNow.value || (stroke !== null && stroke.id === table.solvedStroke.value);
+  const solved = isAbout ? table.solved.value : null;
+  if (!solved && !stroke) return null;
   return (
     <div class="chips" role="group" aria-label={t('lineGuess')}>
-      {solved.alternatives.length > 1 && <IconButton icon="previous" label={t('previousAlternative')} onClick={() => void studio.cycle(-1)} />}
-      {solved.alternatives.length === 0 && <span class="chip on">{spell(solved.line.name)}</span>}
+      <IconButton icon="previous" label={t('previousAlternative')} onClick={() => void studio.cycle(-1)} />
       <div class="chip-list">
-        {solved.alternatives.map((alternative, i) => (
+        {!solved && stroke && <span class="chip on">{spell(stroke.line.name)}</span>}
+        {solved?.alternatives.map((alternative, i) => (
           <button key={alternative.label + i} type="button" class="chip" aria-pressed={i === solved.chosen} onClick={() => void studio.chooseAlternative(i)}>
             {spell(alternative.label)}
           </button>
         ))}
       </div>
-      {solved.alternatives.length > 1 && <IconButton icon="next" label={t('nextAlternative')} onClick={() => void studio.cycle(1)} />}
-      {solved.status !== 'ok' && <span class="status">{solved.status}</span>}
+      <IconButton icon="next" label={t('nextAlternative')} onClick={() => void studio.cycle(1)} />
+      {solved && !/^(ok|stopped)/.test(solved.status) && <span class="status">{solved.status}</span>}
     </div>
   );
 }

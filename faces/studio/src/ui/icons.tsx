@@ -17,6 +17,7 @@ const PATHS = {
   trash: 'M4 7h16M9 7V4h6v3M6 7l1 13h10l1-13M10 11v6M14 11v6',
   pin: 'M12 21v-7M7 14h10l-2-4V5h1V3H8v2h1v5z',
   keep: 'M6 3h12v18l-6-5-6 5z',
+  search: 'M11 4a7 7 0 1 0 0 14 7 7 0 1 0 0-14M16 16l5 5',
   open: 'M3 6h6l2 3h10v10H3z',
 } as const;
 

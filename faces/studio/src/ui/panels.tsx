@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
-import { useEffect, useMemo, useState } from 'preact/hooks';
 import type { LimitPreset, Method, StrokeSettings } from '../engine/protocol';
 import { spell, t, type StringKey } from '../i18n/strings';
-import { dark, leftHanded, showMini, showSkeleton } from '../model/prefs';
-import { language } from '../i18n/strings';
 import type { Studio } from '../studio';
 import { Button, Choice, IconButton, Section, Slider, Switch } from './controls';
 
@@ -28,7 +25,8 @@ export function LinePanel({ studio }: Props) {
       />
       {table.picked.value.length > 0 && (
         <div class="row">
-          <span class="quiet">
+          <span class={table.pickedFault.value ? 'fault' : 'quiet'} role="status">
+            {table.pickedFault.value ? `${t('notPath')} (${table.pickedFault.value}) ` : ''}
             {t('pickedJoints')}: {table.picked.value.map((j) => table.current.value?.joints[j]?.name).join(', ')}
           </span>
           <IconButton icon="close" label={t('clearPicked')} onClick={() => (table.picked.value = [])} />
@@ -196,6 +194,8 @@ export function AdvancedPanel({ studio }: Props) {
   );
 }
 
+const BUILTIN = ['mannequin', 'cat', 'snake', 'tree'];
+
 const PROPORTIONS: [string, StringKey, number, number, number][] = [
   ['heads', 'heads', 3, 9, 8],
   ['shoulders', 'shoulders', 0.6, 1.6, 1],
@@ -213,6 +213,13 @@ export function CharacterPanel({ studio }: Props) {
   if (!actor) return null;
   return (
     <Section title={t('character')}>
+      <div class="grid">
+        {BUILTIN.map((name) => (
+          <Button key={name} onClick={() => void studio.addCharacter(name)}>
+            {t('addCharacter', spell(name))}
+          </Button>
+        ))}
+      </div>
       {actors.length > 1 && (
         <Choice
           label={t('characters')}
@@ -221,6 +228,7 @@ export function CharacterPanel({ studio }: Props) {
           onChange={(id) => (table.actor.value = Number(id))}
         />
       )}
+      {actors.length > 1 && <Button onClick={() => void table.run({ name: 'remove_actor', actor: actor.id })}>{t('removeCharacter')}</Button>}
       {actor.licence && (
         <p class="licence">
           <strong>{t('licence')}:</strong> {actor.licence.name || '–'}
@@ -258,181 +266,4 @@ export function CharacterPanel({ studio }: Props) {
         ))}
     </Section>
   );
-}
-
-export function ViewPanel({ studio }: Props) {
-  const [, redraw] = useState(0);
-  const rig = studio.stage.rig;
-  const { views } = studio.table.state.value;
-  const light = studio.light.value;
-  return (
-    <Section title={t('view')}>
-      <div class="grid">
-        {(['front', 'side', 'back', 'top', 'threeQuarter'] as const).map((view) => (
-          <Button key={view} onClick={() => studio.look(view)}>
-            {t(view)}
-          </Button>
-        ))}
-        <Button onClick={() => studio.frameSelected()}>{t('frameSelected')}</Button>
-      </div>
-      <Slider
-        label={t('lens')}
-        value={rig.state.focal}
-        min={12}
-        max={200}
-        step={1}
-        show={(mm) => `${mm} mm`}
-        onInput={(focal) => rig.set({ focal })}
-        onChange={() => redraw((n) => n + 1)}
-      />
-      <Switch
-        label={t('orthographic')}
-        on={rig.state.orthographic}
-        onChange={(orthographic) => {
-          rig.set({ orthographic });
-          redraw((n) => n + 1);
-        }}
-      />
-      <Slider label={t('lightHeading')} value={light.heading} min={-3.14} max={3.14} step={0.05} show={(a) => `${Math.round(a * 57.3)}°`}
-        onInput={(heading) => (studio.light.value = { ...light, heading })} onChange={() => {}} />
-      <Slider label={t('lightHeight')} value={light.elevation} min={0.1} max={1.5} step={0.05} show={(a) => `${Math.round(a * 57.3)}°`}
-        onInput={(elevation) => (studio.light.value = { ...light, elevation })} onChange={() => {}} />
-      <div class="row">
-        <Button onClick={() => void studio.table.run({ name: 'keep_view', view_name: `${t('view')} ${views.length + 1}`, camera: rig.toSpec() })}>
-          {t('keepView')}
-        </Button>
-      </div>
-      {views.map((view, i) => (
-        <div class="row" key={view.name}>
-          <Button onClick={() => rig.fromSpec(view.camera)}>{view.name}</Button>
-          <IconButton icon="trash" label={t('deleteView', view.name)} onClick={() => void studio.table.run({ name: 'delete_view', index: i })} />
-        </div>
-      ))}
-      <Backdrop studio={studio} />
-      <Switch label={t('miniView')} on={showMini.value} onChange={(on) => (showMini.value = on)} />
-      <Switch label={t('skeleton')} on={showSkeleton.value} onChange={(on) => (showSkeleton.value = on)} />
-      <Switch label={t('dark')} on={dark.value} onChange={(on) => (dark.value = on)} />
-      <Switch label={t('leftHanded')} on={leftHanded.value} onChange={(on) => (leftHanded.value = on)} />
-      <Button onClick={() => (language.value = language.value === 'en' ? 'fr' : 'en')}>{t('language')}</Button>
-    </Section>
-  );
-}
-
-function Backdrop({ studio }: Props) {
-  const backdrop = studio.backdrop.value;
-  const choose = (): void => {
-    const input = document.createElement('input');
-    input.type = 'file';
-    input.accept = 'image/*';
-    input.onchange = () => {
-      const file = input.files?.[0];
-      if (file) studio.backdrop.value = { url: URL.createObjectURL(file), opacity: 0.5 };
-    };
-    input.click();
-  };
-  return (
-    <>
-      <div class="row">
-        <Button onClick={choose}>{t('backdropOpen')}</Button>
-        {backdrop && <IconButton icon="trash" label={t('backdropRemove')} onClick={() => (studio.backdrop.value = null)} />}
-      </div>
-      {backdrop && (
-        <Slider label={t('opacity')} value={backdrop.opacity} min={0.05} max={1} step={0.05}
-          onInput={(opacity) => (studio.backdrop.value = { ...backdrop, opacity })} onChange={() => {}} />
-      )}
-    </>
-  );
-}
-
-interface ShelfPose {
-  name: string;
-  pose: string;
-  kind: 'pose' | 'hand' | 'mine';
-}
-
-export function ShelfPanel({ studio }: Props) {
-  const { table } = studio;
-  const [poses, setPoses] = useState<ShelfPose[]>([]);
-  const [kind, setKind] = useState<ShelfPose['kind']>('pose');
-  const [strength, setStrength] = useState(1);
-  const [flipped, setFlipped] = useState(false);
-  const actor = table.actor.value;
-  const kept = table.state.value.poses.length;
-  const palette = table.current.value?.palette_size;
-  useEffect(() => {
-    let current = true;
-    if (table.current.value) {
-      table.engine
-        .query<{ poses: ShelfPose[] }>('shelf', { actor })
-        .then((answer) => current && setPoses(answer.poses))
-        .catch(() => current && setPoses([]));
-    }
-    return () => {
-      current = false;
-    };
-  }, [actor, kept, palette]);
-  const shown = useMemo(() => poses.filter((pose) => pose.kind === kind), [poses, kind]);
-  const pictures = useThumbnails(studio, shown, `${actor} ${palette}`);
-  return (
-    <Section title={t('shelf')} open>
-      <div class="tabs" role="group" aria-label={t('shelf')}>
-        {(['pose', 'hand', 'mine'] as const).map((k) => (
-          <button key={k} type="button" class="tab" aria-pressed={kind === k} onClick={() => setKind(k)}>
-            {t(k === 'pose' ? 'shelf' : k === 'hand' ? 'hands' : 'mine')}
-          </button>
-        ))}
-      </div>
-      <Slider label={t('strength')} value={strength} min={0} max={1} step={0.05} onChange={setStrength} />
-      <Switch label={t('flipped')} on={flipped} onChange={setFlipped} />
-      <div class="shelf">
-        {shown.map((pose) => (
-          <PoseCard key={pose.name} studio={studio} pose={pose} picture={pictures.get(pose.kind + pose.name) ?? ''} strength={strength} flipped={flipped} />
-        ))}
-      </div>
-      {kind === 'mine' && (
-        <Button
-          onClick={() => {
-            const name = prompt(t('nameOfPose'), `${t('pose')} ${kept + 1}`);
-            if (name) void table.run({ name: 'keep_pose', actor, pose_name: name });
-          }}
-        >
-          {t('keepPose')}
-        </Button>
-      )}
-    </Section>
-  );
-}
-
-function PoseCard({ studio, pose, picture, strength, flipped }: Props & { pose: ShelfPose; picture: string; strength: number; flipped: boolean }) {
-  const apply = () => void studio.table.run({ name: 'apply_pose', actor: studio.table.actor.value, pose: pose.pose, strength, flipped });
-  return (
-    <button type="button" class="pose-card" onClick={apply} title={pose.name}>
-      {picture ? <img src={picture} alt="" style={flipped ? 'transform: scaleX(-1)' : ''} /> : <span class="blank" />}
-      <span>{pose.name}</span>
-    </button>
-  );
-}
-
-/** Pictures of the poses, a few at a time so that the table stays quick; none are made while the pen is down. */
-function useThumbnails(studio: Studio, poses: ShelfPose[], key: string): Map<string, string> {
-  const [pictures, setPictures] = useState(new Map<string, string>());
-  useEffect(() => {
-    let current = true;
-    const made = new Map<string, string>();
-    const work = async (): Promise<void> => {
-      for (let i = 0; i < poses.length && current; i += 6) {
-        while (studio.gestures.path !== 'idle' && current) await new Promise((later) => setTimeout(later, 200));
-        const some = poses.slice(i, i + 6);
-        const urls = await studio.thumbnails(some.map((pose) => ({ pose: pose.pose, hand: pose.kind === 'hand' })));
-        some.forEach((pose, k) => made.set(pose.kind + pose.name, urls[k] ?? ''));
-        if (current) setPictures(new Map(made));
-        await new Promise((later) => setTimeout(later, 30));
-      }
-    };
-    work().catch(() => {});
-    return () => {
-      current = false;
-    };
-  }, [poses, key]);
-  return pictures;
 }

@@ -184,7 +184,8 @@ export class Stage {
       view.show(frame);
       this.aimSun(view.bounds());
       const box = focus.length > 0 ? view.bounds(focus) : view.bounds();
-      this.drawInto({ x: 0, y: 0, width: side, height: side }, squareCamera(box, Math.PI / 5));
+      const camera = focus.length > 0 ? squareCamera(box, -0.5, 1, 0.75) : squareCamera(box, Math.PI / 5);
+      this.drawInto({ x: 0, y: 0, width: side, height: side }, camera);
       const copy = document.createElement('canvas');
       copy.width = copy.height = pixels;
       const drawn = side * this.renderer.getPixelRatio();
@@ -250,15 +251,15 @@ export class Stage {
   }
 }
 
-/** Looks level at the middle of a box, without perspective, the whole of it in the picture. */
-function squareCamera(box: THREE.Box3, heading: number, aspect = 1): THREE.OrthographicCamera {
+/** Looks at the middle of a box, about level, without perspective, the whole of it in the picture. */
+function squareCamera(box: THREE.Box3, heading: number, aspect = 1, elevation = 0.08): THREE.OrthographicCamera {
   const size = box.getSize(new THREE.Vector3());
   const across = Math.abs(Math.cos(heading)) * size.x + Math.abs(Math.sin(heading)) * size.z;
   const half = 0.56 * Math.max(size.y, across / aspect, 1e-6);
   const far = 20 * size.length();
   const camera = new THREE.OrthographicCamera(-half * aspect, half * aspect, half, -half, -far, far);
   const centre = box.getCenter(new THREE.Vector3());
-  camera.position.copy(centre).add(new THREE.Vector3(Math.sin(heading), 0.08, Math.cos(heading)).multiplyScalar(half));
+  camera.position.copy(centre).add(new THREE.Vector3(Math.sin(heading), Math.tan(elevation), Math.cos(heading)).multiplyScalar(half));
   camera.lookAt(centre);
   camera.updateMatrixWorld();
   return camera;
