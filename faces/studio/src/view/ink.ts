@@ -83,14 +83,15 @@ export class InkLayer {
     c.lineCap = c.lineJoin = 'round';
     c.strokeStyle = color;
     c.setLineDash(dashed ? [6, 6] : []);
-    for (let i = 1; i < points.length; ++i) {
-      const a = points[i - 1]!;
-      const b = points[i]!;
-      const end = Math.min(i, points.length - i) / Math.min(12, points.length);
-      c.lineWidth = width * (0.55 + 0.9 * b.pressure) * Math.min(1, 0.45 + end);
+    const middle = (i: number) => ({ x: (points[i]!.x + points[i + 1]!.x) / 2, y: (points[i]!.y + points[i + 1]!.y) / 2 });
+    for (let i = 0; i < points.length; ++i) {
+      const at = points[i]!;
+      const [from, to] = [i > 0 ? middle(i - 1) : at, i + 1 < points.length ? middle(i) : at];
+      const end = Math.min(i + 1, points.length - i) / Math.min(12, points.length);
+      c.lineWidth = width * (0.55 + 0.9 * at.pressure) * Math.min(1, 0.45 + end);
       c.beginPath();
-      c.moveTo(a.x, a.y);
-      c.lineTo(b.x, b.y);
+      c.moveTo(from.x, from.y);
+      c.quadraticCurveTo(at.x, at.y, to.x, to.y);
       c.stroke();
     }
     c.setLineDash([]);
