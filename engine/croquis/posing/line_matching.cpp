@@ -13,6 +13,7 @@
 #include "croquis/base/error.h"
 #include "croquis/base/text.h"
 #include "croquis/math/rotation.h"
+#include "croquis/posing/keep_lengths.h"
 
 namespace croquis {
 namespace {
@@ -254,8 +255,9 @@ MatchResult match_line(const Skeleton& skeleton, const Pose& start, std::span<co
   MatchResult result;
   result.pose = matcher.pose();
   result.forward = matcher.last_runs_forward();
-  result.bone_length_drift = bone_length_drift(skeleton, start, result.pose);
   const bool stretches = options.method == MatchMethod::near || options.method == MatchMethod::curvilinear;
+  if (!stretches) keep_bone_lengths(skeleton, start, {}, result.pose);
+  result.bone_length_drift = bone_length_drift(skeleton, start, result.pose);
   result.status = status_of(result, stretches, matcher.ran_out());
   for (const SkeletonSegment& segment : segments) {
     const LineFit fit = measure_fit(skeleton, result.pose, {"", segment}, stroke, camera);

@@ -8,6 +8,7 @@
 
 #include "croquis/base/error.h"
 #include "croquis/base/text.h"
+#include "croquis/posing/keep_lengths.h"
 #include "croquis/posing/line_limits.h"
 #include "croquis/posing/pose_edit.h"
 
@@ -38,11 +39,9 @@ Stiffness stiffness_of(JointRole role) {
   return {1.0, 1.0};
 }
 
-/// The orthogonal matrix (perhaps a mirroring) nearest to m; `even` turns false if m is far from a multiple of it.
-Mat3 orthogonal_part(const Mat3& m, bool& even) {
+/// The orthogonal matrix (perhaps a mirroring) nearest to m.
+Mat3 orthogonal_part(const Mat3& m) {
   const Eigen::JacobiSVD<Mat3> svd(m, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Vec3 s = svd.singularValues();
-  if (!(s.x() - s.z() <= 1e-9 * s.x())) even = false;
   return svd.matrixU() * svd.matrixV().transpose();
 }
 
@@ -143,10 +142,17 @@ LineScene::LineScene(const Skeleton& skeleton, const HumanoidMap& humanoid, cons
   const double per_pixel = camera.units_per_pixel(centre) / unit_;
   pixel_scale_ = Vec2(per_pixel, -per_pixel);
   pixel_offset_ = Vec2(-0.5 * camera.width_px, -0.5 * camera.height_px).cwiseProduct(pixel_scale_);
+  for (const Affine& joint : model_) scales_evenly_ = scales_evenly_ && !scales_unevenly(joint.linear());
   problem.weights = options.weights;
   add_nodes(inputs, options);
   for (const LineInput& input : inputs) add_path(input);
   add_limits(options.limits);
+  // The root is always a node: whatever is none moves with the nearest one above.
+  carrier_ = node_of_;
+  for (int joint = 1; joint < skeleton_.joint_count(); ++joint) {
+    int& node = carrier_[static_cast<std::size_t>(joint)];
+    if (node < 0) node = carrier_[static_cast<std::size_t>(skeleton_.parent(joint))];
+  }
   add_pins(options.pins);
   add_body(humanoid, options);
   problem.finish();
@@ -209,9 +215,7 @@ void LineScene::add_nodes(const std::vector<LineInput>& inputs, const LineSolver
     node.column = turns[at] ? 0 : -1;
     Mat3 above = view_.linear();
     if (joint > 0) above = above * model_[static_cast<std::size_t>(skeleton_.parent(joint))].linear();
-    bool even = true;
-    above_.push_back(orthogonal_part(above, even));
-    if (turns[at] && !even) scales_evenly_ = false;
+    above_.push_back(orthogonal_part(above));
     const Stiffness stiffness = stiffness_of(roles_[at]);
     node.stiffness = stiffness.swing * Mat3::Identity();
     node_of_[at] = static_cast<int>(problem.nodes.size());
@@ -306,14 +310,9 @@ void LineScene::add_pins(const std::vector<PosePin>& pins) {
 
 void LineScene::add_body(const HumanoidMap& humanoid, const LineSolverOptions& options) {
   if (!options.floor && !options.avoid_overlap) return;
-  NodeMap map{node_of_, {}, view_, unit_};
+  NodeMap map{carrier_, {}, view_, unit_};
   std::vector<Vec3> positions;
-  for (std::size_t i = 0; i < map.carrier.size(); ++i) {
-    positions.emplace_back(model_[i].translation());
-    // The root is always a node: whatever is none moves with the nearest one above.
-    if (map.carrier[i] < 0)
-      map.carrier[i] = map.carrier[static_cast<std::size_t>(skeleton_.parent(static_cast<int>(i)))];
-  }
+  for (const Affine& joint : model_) positions.emplace_back(joint.translation());
   for (const LineNode& node : problem.nodes) map.start.push_back(node.start);
   problem.body =
       make_body_points(skeleton_, humanoid, positions, map, {options.floor, options.balance, options.avoid_overlap});
@@ -366,6 +365,15 @@ void LineScene::write_pose(const LineState& state, Pose& pose) const {
     local = (Quat(turn) * local).normalized();
   }
   if (problem.moves) pose.local[0].translation += view_.linear().transpose() * (unit_ * state.shift);
+  if (scales_evenly_) return;
+  const Affine model = view_.inverse();
+  std::vector<Vec3> wanted;
+  for (std::size_t i = 0; i < pose.local.size(); ++i) {
+    const auto carrier = static_cast<std::size_t>(carrier_[i]);
+    const Vec3 offset = view_ * Vec3(model_[i].translation()) / unit_ - problem.nodes[carrier].start;
+    wanted.push_back(model * Vec3(unit_ * problem.place(state, {carrier_[i], offset})));
+  }
+  keep_bone_lengths(skeleton_, start_, wanted, pose);
 }
 
 }  // namespace croquis

@@ -28,7 +28,7 @@ class LineScene {
   [[nodiscard]] double unit() const { return unit_; }
   [[nodiscard]] int node_of(int joint) const { return node_of_[static_cast<std::size_t>(joint)]; }
   [[nodiscard]] const std::vector<int>& limits_widened() const { return limits_widened_; }
-  /// Every joint that turns lies under ancestors that scale evenly: lengths are kept.
+  /// No joint is scaled unevenly: turns alone keep lengths. Otherwise write_pose moves joints along (keep_lengths.h).
   [[nodiscard]] bool scales_evenly() const { return scales_evenly_; }
 
  private:
@@ -47,6 +47,7 @@ class LineScene {
   std::vector<Mat3> above_;    ///< per node: orthogonal part of what is above the joint, in view axes
   std::vector<std::array<std::vector<double>, 2>>
       heeded_;                ///< importance per path, for the stroke as it is and turned round
+  std::vector<int> carrier_;  ///< per joint: its node, or the one that it moves with
   std::vector<int> node_of_;  ///< per joint, -1: not in the problem
   int body_root_ = 0;
   Affine view_ = Affine::Identity();
