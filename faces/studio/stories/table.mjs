@@ -106,12 +106,15 @@ export class Visit {
     await this.settled();
   }
 
+  /** Puts fingers down, moves them, and lifts them. Without a gesture it is a tap: said to be short, however slow the
+      machine is. */
   async fingers(count, gesture) {
-    const touch = (type, points) => this.wire.send('Input.dispatchTouchEvent', { type, touchPoints: points });
+    const began = Date.now() / 1000;
+    const touch = (type, points, after = 0) => this.wire.send('Input.dispatchTouchEvent', { type, touchPoints: points, ...(gesture ? {} : { timestamp: began + after }) });
     const start = Array.from({ length: count }, (_, i) => ({ x: 380 + 70 * i, y: 260, id: i }));
     await touch('touchStart', start);
     await gesture?.((dx, dy, spread) => touch('touchMove', start.map((p, i) => ({ ...p, x: p.x + dx + (i === 0 ? -spread : spread), y: p.y + dy }))));
-    await touch('touchEnd', []);
+    await touch('touchEnd', [], 0.08);
     await this.settled();
   }
 
