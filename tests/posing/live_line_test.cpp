@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "croquis/posing/live_line.h"
 
+#include "posing/allocation_count.h"
 #include "support/test_rigs.h"
 #include <cmath>
 #include <limits>
@@ -73,6 +74,25 @@ TEST(LiveLine, AStrokeFromTheOtherEndTurnsTheLineRound) {
   for (std::size_t n = 2; n <= stroke.size(); ++n) (void)live.update(std::span(stroke).first(n));
   EXPECT_FALSE(live.forward());
   EXPECT_LT(measure_fit(body.skeleton, live.pose(), body.line, Polyline2(stroke), Camera{}).mean_px, 15.0);
+}
+
+TEST(LiveLine, UpdatesAllocateNothing) {
+  if (allocations_so_far() < 0) GTEST_SKIP() << "memory is not counted here";
+  const Body body;
+  const HumanoidMap humanoid = recognise_humanoid(body.skeleton);
+  const std::vector<Vec2> stroke = drawn_stroke(200);
+  LineSolverOptions options;
+  options.limits = make_joint_limits(body.skeleton, humanoid, LimitPreset::anatomical);
+  options.floor = 0.0;
+  options.balance = true;
+  LiveLine live(body.skeleton, humanoid, rest_pose(body.skeleton), body.line, LineInput::Direction::forward, Camera{},
+                options);
+  (void)live.update(std::span(stroke).first(10));
+  const long before = allocations_so_far();
+  for (std::size_t n = 11; n <= stroke.size(); ++n) (void)live.update(std::span(stroke).first(n));
+  EXPECT_EQ(allocations_so_far() - before, 0);
+  const std::vector<double> counted(100);
+  EXPECT_GT(allocations_so_far() - before, 0);
 }
 
 TEST(LiveLine, TheFirstPixelsAskForLittle) {
