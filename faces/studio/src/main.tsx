@@ -94,10 +94,11 @@ function listen(studio: Studio): void {
 async function start(): Promise<void> {
   const query = new URLSearchParams(location.search);
   const backdrop = element<HTMLDivElement>('backdrop');
+  const engine = startEngine(); // it gets ready while the rest does
   const journal = await openJournal(() => studio?.table.tell(t('storageFailed'), 'error'));
   let studio: Studio | null = null;
   try {
-    studio = new Studio(startEngine(), journal, element('table'), element('glass'), query.get('quality') === 'draft' ? 'draft' : 'full');
+    studio = new Studio(engine, journal, element('table'), element('glass'), query.get('quality') === 'draft' ? 'draft' : 'full');
   } catch (error) {
     element('loading').textContent = `${t('noWebgl')} ${(error as Error).message}`;
     return;

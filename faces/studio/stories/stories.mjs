@@ -323,12 +323,14 @@ story('every format is exported, GLB and VRM pass the validator, the picture is 
   assert.match(file.suggestedFilename(), /\.bvh$/);
 });
 
-story('a reload gives back the project with its history', {}, async (visit) => {
+story('a tab that is killed gives back the project with its history', {}, async (visit) => {
   await visit.draw(await lean(visit));
   await visit.draw(await lean(visit, -70));
   const posed = await visit.joints();
   const { strokes } = await visit.state();
-  await visit.page.waitForTimeout(300);
+  await visit.page.waitForTimeout(1000); // what is promised to be written within a second
+  visit.wire.send('Page.crash').catch(() => {}); // it never answers
+  await visit.page.waitForEvent('crash', { timeout: 60_000 });
   await visit.page.close({ runBeforeUnload: false });
   await visit.load();
   assert.ok(distance(posed, await visit.joints()) < 1e-6, 'the pose is back');

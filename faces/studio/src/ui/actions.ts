@@ -79,6 +79,10 @@ export function makeActions(studio: Studio): Action[] {
       const stroke = studio.strokeInHand();
       if (stroke) void table.run({ name: 'set_stroke', stroke: stroke.id, settings: {}, hidden: !stroke.hidden });
     }),
+    action('showAll', 'showAll', ['Alt+H'], async () => {
+      const hidden = table.state.value.strokes.filter((stroke) => stroke.hidden);
+      for (const stroke of hidden) await table.run({ name: 'set_stroke', stroke: stroke.id, settings: {}, hidden: false });
+    }),
     action('mirror', 'mirror', ['M'], () => void table.run({ name: 'mirror', actor: actor(), side: 'both' })),
     action('leftToRight', 'leftToRight', ['Shift+M'], () => void table.run({ name: 'mirror', actor: actor(), side: 'left' })),
     action('rightToLeft', 'rightToLeft', ['Alt+M'], () => void table.run({ name: 'mirror', actor: actor(), side: 'right' })),
@@ -100,6 +104,8 @@ export function makeActions(studio: Studio): Action[] {
     action('back', 'back', ['Ctrl+1', 'Ctrl+Numpad1'], () => studio.look('back')),
     action('side', 'side', ['3', 'Numpad3'], () => studio.look('side')),
     action('top', 'top', ['7', 'Numpad7'], () => studio.look('top')),
+    action('otherSide', 'otherSide', ['Ctrl+3', 'Ctrl+Numpad3'], () => studio.look('side', true)),
+    action('below', 'below', ['Ctrl+7', 'Ctrl+Numpad7'], () => studio.look('top', true)),
     action('threeQuarter', 'threeQuarter', ['9', 'Numpad9'], () => studio.look('threeQuarter')),
     action('ortho', 'orthographic', ['5', 'Numpad5'], () => studio.stage.rig.set({ orthographic: !studio.stage.rig.state.orthographic })),
     action('frame', 'frameSelected', ['.', 'NumpadDecimal', 'F'], () => studio.frameSelected()),
@@ -130,9 +136,13 @@ export function makeActions(studio: Studio): Action[] {
   ];
 }
 
-/** 'Ctrl+Shift+Z' for a key event; letters by what they mean, the number pad by where it is. */
+/** 'Ctrl+Shift+Z' for a key event: letters and signs by what they mean, digits and the number pad by where they are. */
 export function keyOf(event: KeyboardEvent): string {
-  const named = event.code.startsWith('Numpad') ? event.code : event.key.length === 1 ? event.key.toUpperCase() : event.key;
+  const { code, key } = event;
+  const composed = event.getModifierState('AltGraph'); // '[' on many keyboards: no Ctrl and no Alt is meant
+  const digit = /^Digit(\d)$/.exec(code)?.[1];
+  const named = code.startsWith('Numpad') ? code : digit && !composed ? digit : key.length === 1 ? key.toUpperCase() : key;
   const shifted = event.shiftKey && /^[A-Z]$|^[A-Za-z]{2,}/.test(named);
-  return [event.ctrlKey || event.metaKey ? 'Ctrl' : '', event.altKey ? 'Alt' : '', shifted ? 'Shift' : '', named].filter(Boolean).join('+');
+  const modifiers = composed ? [] : [event.ctrlKey || event.metaKey ? 'Ctrl' : '', event.altKey ? 'Alt' : '', shifted ? 'Shift' : ''];
+  return [...modifiers, named].filter(Boolean).join('+');
 }
