@@ -29,6 +29,17 @@ TEST(Image, comes_back_from_png_with_every_bit) {
   EXPECT_EQ(back.rgba, image.rgba);
 }
 
+TEST(Image, is_written_without_alpha_where_nothing_is_transparent) {
+  Random random(2);
+  Image image{19, 11, {}};
+  for (int i = 0; i < 19 * 11 * 4; ++i) {
+    image.rgba.push_back(i % 4 == 3 ? std::uint8_t{255} : static_cast<std::uint8_t>(random.index(256)));
+  }
+  const std::vector<std::byte> png = encode_png(image);
+  EXPECT_EQ(png[25], std::byte{2});  // RGB
+  EXPECT_EQ(decode_image(png).rgba, image.rgba);
+}
+
 TEST(Image, refuses_what_is_no_image_or_only_half_of_one) {
   const std::vector<std::byte> png = encode_png(plain(16, 16, {1, 2, 3, 4}));
   EXPECT_THROW((void)decode_image({}), Error);

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 #include "croquis/base/error.h"
 #include "croquis/picture/image.h"
@@ -136,6 +137,7 @@ void FigureLayer::load(const Scene& scene, const Camera& camera, const Vec3& tow
   scene_ = &scene;
   camera_ = camera;
   light_ = towards_light;
+  figures_ = find_figures();
   load_geometry();
   load_textures();
   draw_shadow_map();
@@ -281,23 +283,23 @@ void FigureLayer::draw_figures(const Mat4& clip_from_scene) {
   glDisable(GL_BLEND);
 }
 
-void FigureLayer::read_back(Canvas& canvas, int samples_a_side) const {
+void FigureLayer::read_back(Canvas& canvas, const Region& region, int samples_a_side) const {
   const int width = targets_->fine_width, height = targets_->fine_height;
   glBindFramebuffer(GL_READ_FRAMEBUFFER, targets_->sample_framebuffer.name());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, targets_->resolved_framebuffer.name());
   glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
   glBindFramebuffer(GL_FRAMEBUFFER, targets_->resolved_framebuffer.name());
   const int fine = samples_a_side;
-  const int border_x = (targets_->width - canvas.width) / 2 * fine,
-            border_y = (targets_->height - canvas.height) / 2 * fine;
-  const int row = canvas.width * fine;
-  std::vector<std::uint8_t> codes(4 * static_cast<std::size_t>(row) * static_cast<std::size_t>(canvas.height * fine));
+  const int border_x = (targets_->width - region.width()) / 2 * fine,
+            border_y = (targets_->height - region.height()) / 2 * fine;
+  const int row = region.width() * fine;
+  std::vector<std::uint8_t> codes(4 * static_cast<std::size_t>(row) * static_cast<std::size_t>(region.height() * fine));
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(border_x, border_y, row, canvas.height * fine, GL_RGBA, GL_UNSIGNED_BYTE, codes.data());
+  glReadPixels(border_x, border_y, row, region.height() * fine, GL_RGBA, GL_UNSIGNED_BYTE, codes.data());
   check_gl("drawing the figures");
   const float share = 1.0F / static_cast<float>(fine * fine);
-  for (int y = 0; y < canvas.height; ++y) {
-    for (int x = 0; x < canvas.width; ++x) {
+  for (int y = 0; y < region.height(); ++y) {
+    for (int x = 0; x < region.width(); ++x) {
       Vec4f sum = Vec4f::Zero();
       for (int k = 0; k < fine * fine; ++k) {
         const std::size_t at = 4 * static_cast<std::size_t>((y * fine + k / fine) * row + x * fine + k % fine);
@@ -307,23 +309,49 @@ void FigureLayer::read_back(Canvas& canvas, int samples_a_side) const {
       }
       if (sum.w() <= 0.0F) continue;
       sum *= share;
-      Vec4f& pixel = canvas.at(canvas.left + x, canvas.top + y);
+      Vec4f& pixel = canvas.at(region.left + x, region.top + y);
       pixel = sum + (1.0F - sum.w()) * pixel;
     }
   }
 }
 
+/// The picture's pixels that the scene is seen in, rounded out.
+FigureLayer::Region FigureLayer::find_figures() const {
+  const Region whole{0, 0, camera_.width_px, camera_.height_px};
+  Eigen::AlignedBox2d box;
+  for (const SceneVertex& vertex : scene_->vertices) {
+    const Vec3 at = scene_->centre + scene_->radius * vertex.position.cast<double>();
+    const std::optional<Vec2> seen = camera_.project(at);
+    if (!seen) return whole;  // behind the camera
+    box.extend(*seen);
+  }
+  const auto out = [](double low, double high, int most, int& first, int& last) {
+    constexpr int kStep = 64;  // few sizes, so that targets can be kept; of the occlusion's pattern a multiple
+    const double limit = most;
+    first = static_cast<int>(std::clamp(low - 1.0, 0.0, limit)) / kStep * kStep;
+    last = std::min((static_cast<int>(std::clamp(high + 2.0, 0.0, limit)) + kStep - 1) / kStep * kStep, most);
+  };
+  Region region;
+  out(box.min().x(), box.max().x(), whole.right, region.left, region.right);
+  out(box.min().y(), box.max().y(), whole.bottom, region.top, region.bottom);
+  return region;
+}
+
 void FigureLayer::paint(Canvas& canvas, int samples_a_side) {
-  const bool whole = canvas.width == camera_.width_px && canvas.height == camera_.height_px;
+  const Region region{std::max(figures_.left, canvas.left), std::max(figures_.top, canvas.top),
+                      std::min(figures_.right, canvas.left + canvas.width),
+                      std::min(figures_.bottom, canvas.top + canvas.height)};
+  if (region.width() <= 0 || region.height() <= 0) return;
+  const bool whole = region.width() == figures_.width() && region.height() == figures_.height();
   const int border = whole ? 0 : kBorder;
-  const int width = canvas.width + 2 * border, height = canvas.height + 2 * border;
+  const int width = region.width() + 2 * border, height = region.height() + 2 * border;
   if (!targets_ || targets_->width != width || targets_->height != height ||
       targets_->fine_width != width * samples_a_side) {
     targets_.reset();
     targets_ = std::make_unique<Targets>(width, height, samples_a_side);
   }
   // The tile's part of the picture's clip space, upside down.
-  const double x0 = canvas.left - border, y0 = canvas.top - border;
+  const double x0 = region.left - border, y0 = region.top - border;
   Mat4 tile_from_clip = Mat4::Identity();
   tile_from_clip(0, 0) = static_cast<double>(camera_.width_px) / width;
   tile_from_clip(0, 3) = (camera_.width_px - 2.0 * x0) / width - 1.0;
@@ -337,7 +365,7 @@ void FigureLayer::paint(Canvas& canvas, int samples_a_side) {
   const Mat4 clip_from_scene = clip_from_view * view_from_scene.matrix();
   draw_occlusion(clip_from_scene, clip_from_view);
   draw_figures(clip_from_scene);
-  read_back(canvas, samples_a_side);
+  read_back(canvas, region, samples_a_side);
 }
 
 }  // namespace croquis

@@ -30,6 +30,12 @@ class FigureLayer {
 
  private:
   struct Targets;
+  /// Pixels of the picture.
+  struct Region {
+    int left = 0, top = 0, right = 0, bottom = 0;  // right and bottom are not in it
+    [[nodiscard]] int width() const { return right - left; }
+    [[nodiscard]] int height() const { return bottom - top; }
+  };
   struct Texture {
     std::shared_ptr<const Bytes> source;  // held, so that no other image can take its address
     GlObject texture;
@@ -42,7 +48,8 @@ class FigureLayer {
   void draw_shadow_map();
   void draw_occlusion(const Mat4& clip_from_scene, const Mat4& clip_from_view);
   void draw_figures(const Mat4& clip_from_scene);
-  void read_back(Canvas& canvas, int samples_a_side) const;
+  [[nodiscard]] Region find_figures() const;
+  void read_back(Canvas& canvas, const Region& region, int samples_a_side) const;
 
   GlObject normal_program_, occlusion_program_, figure_program_;
   GlObject vertices_, indices_, array_, no_array_;
@@ -53,6 +60,7 @@ class FigureLayer {
   const Scene* scene_ = nullptr;
   Camera camera_;
   Vec3 light_ = Vec3::UnitY();
+  Region figures_;  ///< where in the picture the camera sees the scene
   Mat4 shadow_from_scene_ = Mat4::Identity();
 };
 
