@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Source: bvh.
 #include "croquis/io/bvh.h"
 
 #include <algorithm>

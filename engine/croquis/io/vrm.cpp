@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sources: vrm0, vrm1, vrma (the VRM specifications), sections "humanoid" and "meta".
+// Sources: vrm0, vrm1, vrma; sections "humanoid" and "meta".
 #include "croquis/io/vrm.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sources: vrm1, sections "meta" and "humanoid"; vrma, section "VRMC_vrm_animation".
+// Sources: vrm1, vrma; sections "meta", "humanoid" and "VRMC_vrm_animation".
 #include "croquis/io/vrm_write.h"
 
 #include <array>

@@ -21,7 +21,7 @@ struct HumanoidPose {
 /// in an A-pose come out with their arms raised.
 [[nodiscard]] Pose make_t_pose(const Skeleton& skeleton, const HumanoidMap& humanoid, const Vec3& front);
 
-/// The pose of one body in terms that another understands. Source: VRM 1.0's normalised pose (vrm-specification).
+/// The pose of one body in terms that another understands. Source: vrm1, normalised pose.
 [[nodiscard]] HumanoidPose extract_humanoid_pose(const Skeleton& skeleton, const HumanoidMap& humanoid,
                                                  const Vec3& front, const Pose& pose);
 

@@ -65,7 +65,7 @@ struct MatchResult {
 /// their points are, so the pose has translations that it did not have.
 ///
 /// Throws invalid_argument for an empty list, a segment that is none, a stroke without length, a pose of another size
-/// and a camera that cannot see the plane. Source: the lines-of-action report, sections III and IV.
+/// and a camera that cannot see the plane. Source: bergeres_loa, sections III and IV.
 [[nodiscard]] MatchResult match_line(const Skeleton& skeleton, const Pose& start,
                                      std::span<const SkeletonSegment> segments, const Polyline2& stroke,
                                      const Camera& camera, const MatchOptions& options = {});
