@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What `croquis render` of a character of some 55,000 triangles at 1024 x 1024 costs: a renderer of its own, the picture,
-// the PNG. Two mannequins in one character stand in for such a one.
+// What `croquis render` of a character of some 55,000 triangles at 1024 x 1024 costs: a renderer of its own, the
+// picture, the PNG. Two mannequins in one character stand in for such a one.
 #include <benchmark/benchmark.h>
 
 #include "croquis/body/body.h"

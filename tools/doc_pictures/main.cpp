@@ -85,7 +85,7 @@ Image draw_turntable(Studio& studio) {
   const Pose pose = shelf_pose(mannequin, "Relaxed");
   std::vector<Image> views;
   for (int view = 0; view < 8; ++view) {
-    views.push_back(studio.draw(mannequin, pose, Shot{{0.0, 0.88, 0.0}, 1.86, 45.0 * view, 0.0}.camera(196, 440)));
+    views.push_back(studio.draw(mannequin, pose, Shot{{0.0, 0.88, 0.0}, 1.86, 45.0 * view, 0.0}.camera(192, 430)));
   }
   return compose_sheet(views, 4, 0);
 }

@@ -25,7 +25,8 @@ struct Image {
 /// The colour of the paper that pictures and sheets are on, 8-bit sRGB.
 inline constexpr std::array<std::uint8_t, 4> kPaper{245, 240, 230, 255};
 
-/// The image as a PNG file (8-bit RGB, or RGBA where something is transparent). Throws invalid_argument for an image without pixels or whose sizes disagree.
+/// The image as a PNG file (8-bit RGB, or RGBA where something is transparent). Throws invalid_argument for an image
+/// without pixels or whose sizes disagree.
 [[nodiscard]] std::vector<std::byte> encode_png(const Image& image);
 
 /// A PNG or JPEG file as 8-bit RGBA. Throws Error{bad_file} for anything else, for a damaged file, and for an image of

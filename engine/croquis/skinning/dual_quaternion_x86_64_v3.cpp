@@ -63,7 +63,34 @@ void blend(const KernelJob& block, const float* weights, float* rows) {
   }
 }
 
-// The same with signs, for any number of influences. False as above.
+// Of every vertex with four influences the first weighs most, and more than nothing. `count` is even.
+bool first_weighs_most(const float* weights, std::ptrdiff_t count) {
+  __m256 bad = _mm256_setzero_ps();
+  for (std::ptrdiff_t slot = 0; slot < 4 * count; slot += 8) {
+    const __m256 w = _mm256_loadu_ps(weights + slot);
+    const __m256 most = _mm256_max_ps(w, _mm256_set1_ps(kLeastWeight));
+    bad = _mm256_or_ps(bad, _mm256_cmp_ps(_mm256_permute_ps(w, 0), most, _CMP_LT_OQ));
+  }
+  return _mm256_movemask_ps(bad) == 0;
+}
+
+// As `blend`, four influences with signs from the table.
+void blend_by_table(const KernelJob& block, float* rows) {
+  const DualQuaternionEntry* const palette = block.dual_quaternions;
+  const std::uint16_t* i = block.joint_indices;
+  const float* w = block.weights;
+  for (std::ptrdiff_t v = 0; v < block.count; ++v, i += 4, w += 4) {
+    const float* const signs = block.signs + i[0] * block.palette_size;
+    __m256 sum = _mm256_mul_ps(_mm256_broadcast_ss(w), _mm256_load_ps(palette[i[0]].real));
+    for (int k = 1; k < 4; ++k) {
+      const __m256 weight = _mm256_xor_ps(_mm256_broadcast_ss(w + k), _mm256_broadcast_ss(signs + i[k]));
+      sum = _mm256_fmadd_ps(weight, _mm256_load_ps(palette[i[k]].real), sum);
+    }
+    _mm256_store_ps(rows + 8 * v, sum);
+  }
+}
+
+// The same with signs, for any number of influences and without a table. False as above.
 bool blend_signed(const KernelJob& block, float* rows) {
   bool is_plain = true;
   const DualQuaternionEntry* const palette = block.dual_quaternions;
@@ -159,6 +186,11 @@ bool blend_block(const KernelJob& block, float* rows) {
     return true;
   }
   if (block.influences != 4) return blend_signed(block, rows);
+  if (block.signs != nullptr) {
+    if (!first_weighs_most(block.weights, block.count)) return false;
+    blend_by_table(block, rows);
+    return true;
+  }
   if (!sign_weights(block, weights)) return false;
   blend<4>(block, weights, rows);
   return true;
@@ -167,13 +199,11 @@ bool blend_block(const KernelJob& block, float* rows) {
 // Loop after loop, so that none waits for another.
 void skin_block(const KernelJob& block) {
   alignas(32) float rows[8 * kBlock];
-  Motions motions[kBlock / kLanes];
   if (!blend_block(block, rows)) return dual_quaternion_portable(block);
   __m256 least = _mm256_set1_ps(1.0F);
-  for (std::ptrdiff_t v = 0; v < block.count; v += kLanes) motions[v / kLanes] = to_motions(rows + 8 * v, least);
+  for (std::ptrdiff_t v = 0; v < block.count; v += kLanes) move_eight(block, v, to_motions(rows + 8 * v, least));
   const __m256 follow_none = _mm256_cmp_ps(least, _mm256_set1_ps(kLeastWeight), _CMP_LT_OQ);
-  if (_mm256_movemask_ps(follow_none) != 0) return dual_quaternion_portable(block);
-  for (std::ptrdiff_t v = 0; v < block.count; v += kLanes) move_eight(block, v, motions[v / kLanes]);
+  if (_mm256_movemask_ps(follow_none) != 0) dual_quaternion_portable(block);  // over what was written
 }
 
 }  // namespace

@@ -40,6 +40,9 @@ struct KernelJob {
   float* posed_tangents = nullptr;
   bool unit_normals = true;
   bool share_hemisphere = false;  ///< no two of `dual_quaternions` have real parts with a negative dot product
+  /// Else, or null: -0 where entries a and b have such real parts, 0 elsewhere, at [a * palette_size + b].
+  const float* signs = nullptr;
+  std::ptrdiff_t palette_size = 0;
 
   /// `length` vertices from `first` on.
   [[nodiscard]] KernelJob slice(std::ptrdiff_t first, std::ptrdiff_t length) const;

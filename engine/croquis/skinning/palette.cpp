@@ -85,10 +85,8 @@ float dot(const DualQuaternionEntry& a, const DualQuaternionEntry& b) {
   return a.real[0] * b.real[0] + a.real[1] * b.real[1] + a.real[2] * b.real[2] + a.real[3] * b.real[3];
 }
 
-// Turns every entry to the side of the first one (q and -q are the same motion); true if no pair is left that points
-// apart. Of a palette so large that looking at all pairs would cost more than it saves, no.
-bool gather_in_hemisphere(std::vector<DualQuaternionEntry>& entries) {
-  constexpr std::size_t kMost = 256;
+// Turns every entry to the side of the first one: q and -q are the same motion.
+void gather_in_hemisphere(std::vector<DualQuaternionEntry>& entries) {
   for (DualQuaternionEntry& entry : entries) {
     if (dot(entries.front(), entry) >= 0.0F) continue;
     for (int c = 0; c < 4; ++c) {
@@ -96,13 +94,20 @@ bool gather_in_hemisphere(std::vector<DualQuaternionEntry>& entries) {
       entry.dual[c] = -entry.dual[c];
     }
   }
-  if (entries.size() > kMost) return false;
-  for (auto a = entries.begin(); a != entries.end(); ++a) {
-    for (auto b = entries.begin(); b != a; ++b) {
-      if (dot(*a, *b) < 0.0F) return false;
+}
+
+// Which pairs point apart, as KernelJob::signs; none if the palette is too large for a table of all pairs to pay.
+std::vector<float> compare_pairs(const std::vector<DualQuaternionEntry>& entries) {
+  constexpr std::size_t kMost = 256;
+  const std::size_t count = entries.size();
+  if (count > kMost) return {};
+  std::vector<float> signs(count * count, 0.0F);
+  for (std::size_t a = 0; a < count; ++a) {
+    for (std::size_t b = 0; b < a; ++b) {
+      if (dot(entries[a], entries[b]) < 0.0F) signs[a * count + b] = signs[b * count + a] = -0.0F;
     }
   }
-  return true;
+  return signs;
 }
 
 double median_scale(std::span<const Affine> matrices) {
@@ -148,7 +153,11 @@ SkinningPalette::SkinningPalette(std::span<const Affine> matrices, std::span<con
     stretches[i].translation() = common * centre - stretches[i].linear() * centre;
     dual_quaternions_.push_back(to_dual_quaternion(rotation, matrices[i] * centre - rotation * (common * centre)));
   }
-  share_hemisphere_ = gather_in_hemisphere(dual_quaternions_);
+  gather_in_hemisphere(dual_quaternions_);
+  signs_ = compare_pairs(dual_quaternions_);
+  share_hemisphere_ =
+      !signs_.empty() && std::none_of(signs_.begin(), signs_.end(), [](float s) { return std::signbit(s); });
+  if (share_hemisphere_) signs_.clear();
   if (any_stretch) set_matrices(stretches);
 }
 

@@ -47,9 +47,11 @@ class SkinningPalette {
   [[nodiscard]] const std::vector<skinning_kernels::DualQuaternionEntry>& dual_quaternions() const {
     return dual_quaternions_;
   }
-  /// No two rigid motions have real parts with a negative dot product: their blends need no choice of sign, and take
-  /// two thirds of the time. So in every pose whose joints turn by up to 90 degrees each, and in many others.
+  /// No two rigid motions have real parts with a negative dot product: their blends need no choice of sign. So in every
+  /// pose whose joints turn by up to 90 degrees each, and in many others.
   [[nodiscard]] bool share_hemisphere() const { return share_hemisphere_; }
+  /// The signs of all pairs, see KernelJob::signs. Empty where they share a hemisphere, and for large palettes.
+  [[nodiscard]] const std::vector<float>& signs() const { return signs_; }
 
  private:
   void set_matrices(std::span<const Affine> matrices);
@@ -61,6 +63,7 @@ class SkinningPalette {
   std::vector<skinning_kernels::MatrixEntry> matrices_;
   std::vector<skinning_kernels::MatrixEntry> normal_matrices_;
   std::vector<skinning_kernels::DualQuaternionEntry> dual_quaternions_;
+  std::vector<float> signs_;
 };
 
 /// The palette of a skin: M = model[joint] * inverse_bind. `model` is model_from_joint of every joint of the skeleton.

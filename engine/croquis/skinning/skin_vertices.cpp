@@ -56,6 +56,8 @@ KernelJob to_kernel_job(const SkinningPalette& palette, const SkinningJob& job) 
   kernel_job.posed_normals = floats(job.posed_normals);
   kernel_job.posed_tangents = floats(job.posed_tangents);
   kernel_job.share_hemisphere = palette.share_hemisphere();
+  kernel_job.signs = palette.signs().empty() ? nullptr : palette.signs().data();
+  kernel_job.palette_size = palette.size();
   kernel_job.unit_normals = job.unit_normals;
   return kernel_job;
 }
