@@ -32,7 +32,7 @@ async function lean(visit, dx = 90) {
 }
 
 const story = (name, options, play) =>
-  test(name, { timeout: 180_000, skip: options.data && !DATA ? 'the folder of real files is not there' : false }, async () => {
+  test(name, { timeout: 900_000, skip: options.data && !DATA ? 'the folder of real files is not there' : false }, async () => {
     const visit = await Visit.open(browser, url, options.context);
     await play(visit);
     await visit.close();
@@ -191,7 +191,7 @@ story('joints are picked by hand, and a selection that is no line is told of', {
     await visit.pen('mouseReleased', x, y, 0);
     await visit.settled();
   };
-  const told = (test) => visit.page.waitForFunction(test, null, { timeout: 30_000 });
+  const told = (test) => visit.page.waitForFunction(test);
   await visit.page.keyboard.press('q');
   for (const bone of ['leftUpperArm', 'leftLowerArm', 'leftHand']) await tap(bone);
   await told(() => globalThis.croquis.table.segments.value.length > 0);
@@ -330,7 +330,7 @@ story('a tab that is killed gives back the project with its history', {}, async 
   const { strokes } = await visit.state();
   await visit.page.waitForTimeout(1000); // what is promised to be written within a second
   visit.wire.send('Page.crash').catch(() => {}); // it never answers
-  await visit.page.waitForEvent('crash', { timeout: 60_000 });
+  await visit.page.waitForEvent('crash');
   await visit.page.close({ runBeforeUnload: false });
   await visit.load();
   assert.ok(distance(posed, await visit.joints()) < 1e-6, 'the pose is back');
@@ -341,7 +341,7 @@ story('a tab that is killed gives back the project with its history', {}, async 
   assert.equal((await visit.state()).strokes.length, 0, 'and can be undone');
 });
 
-test('the page works with the network off', { timeout: 180_000 }, async () => {
+test('the page works with the network off', { timeout: 900_000 }, async () => {
   const own = await servePage();
   const visit = await Visit.open(browser, `http://127.0.0.1:${own.address().port}/`);
   await visit.page.evaluate(() => navigator.serviceWorker.ready.then(() => true));
@@ -388,7 +388,7 @@ story('everything can be reached with the keyboard alone', {}, async (visit) => 
   await page.keyboard.press('Control+k');
   await page.keyboard.type('add cat');
   await page.keyboard.press('Enter');
-  await page.waitForFunction(() => globalThis.croquis.table.state.value.actors.length === 2, null, { timeout: 30_000 });
+  await page.waitForFunction(() => globalThis.croquis.table.state.value.actors.length === 2);
   await page.keyboard.press('7');
   const elevation = await page.evaluate(() => globalThis.croquis.stage.rig.state.elevation);
   assert.ok(elevation > 1.5, 'the top view');
@@ -423,7 +423,7 @@ story('a frame costs one palette upload a character and few draw calls', {}, asy
       const { stage } = globalThis.croquis;
       return { uploads: [...stage.characters.values()].map((c) => c.palette.uploads), frames: stage.stats.frames, calls: stage.stats.drawCalls };
     });
-  await visit.page.waitForFunction(() => document.querySelector('.pose-card') && !document.querySelector('.pose-card .blank'), null, { timeout: 60_000 });
+  await visit.page.waitForFunction(() => document.querySelector('.pose-card') && !document.querySelector('.pose-card .blank'));
   const before = await counts();
   const actor = (await visit.state()).actors[0].id;
   await visit.run({ name: 'reset', actor, joints: [], amount: 0.5 });

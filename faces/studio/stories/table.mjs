@@ -24,9 +24,13 @@ export function servePage() {
 
 export const launch = () =>
   chromium.launch({
+    timeout: 120_000,
     executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
     args: ['--no-sandbox', '--disable-dev-shm-usage', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'],
   });
+
+/** For a machine that is busy with other things and draws in software; nothing in the stories depends on time. */
+const PATIENCE = 240_000;
 
 /** A fresh browser profile with the studio open. Every fault the page reports ends up in `faults`. */
 export class Visit {
@@ -46,6 +50,8 @@ export class Visit {
   /** In draft quality, unless a story is about the picture: software rendering is slow. */
   async load(query = '?quality=draft') {
     this.page = await this.context.newPage();
+    this.page.setDefaultTimeout(PATIENCE);
+    this.page.setDefaultNavigationTimeout(PATIENCE);
     this.page.on('console', (message) => message.type() === 'error' && this.faults.push(message.text()));
     this.page.on('pageerror', (error) => this.faults.push(String(error)));
     await this.page.goto(this.url + query);
@@ -53,7 +59,7 @@ export class Visit {
   }
 
   async ready() {
-    await this.page.waitForFunction(() => document.documentElement.dataset.ready === 'true', null, { timeout: 60_000 });
+    await this.page.waitForFunction(() => document.documentElement.dataset.ready === 'true');
     this.wire = await this.context.newCDPSession(this.page);
   }
 
@@ -129,7 +135,7 @@ export class Visit {
     const before = await this.page.evaluate(() => globalThis.croquis.table.toasts.value.at(-1)?.id ?? 0);
     await this.page.dispatchEvent('body', 'drop', { dataTransfer: handle });
     // Taken as soon as it is there: it goes by itself after a while.
-    const toast = await this.page.waitForFunction((last) => globalThis.croquis.table.toasts.value.find((t) => t.id > last), before, { timeout: 60_000 });
+    const toast = await this.page.waitForFunction((last) => globalThis.croquis.table.toasts.value.find((t) => t.id > last), before);
     const told = await toast.jsonValue();
     await this.settled();
     return told;

@@ -67,7 +67,7 @@ async function look(table: Table): Promise<string> {
 }
 
 describe('the table with the real engine', () => {
-  it('two hundred random commands are undone and redone one by one, and a journal plays them again', { timeout: 240_000 }, async () => {
+  it('two hundred random commands are undone and redone one by one, and a journal plays them again', async () => {
     const random = seeded(20);
     const journal = new MemoryJournal();
     const table = new Table(await startLocalEngine(), journal);
