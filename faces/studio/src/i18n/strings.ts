@@ -100,6 +100,10 @@ const TABLE = {
   character: ['Character', 'Personnage'],
   characters: ['Characters', 'Personnages'],
   addCharacter: ['Add {0}', 'Ajouter : {0}'],
+  mannequin: ['mannequin', 'mannequin'],
+  cat: ['cat', 'chat'],
+  snake: ['snake', 'serpent'],
+  tree: ['tree', 'arbre'],
   removeCharacter: ['Remove character', 'Retirer le personnage'],
   proportions: ['Proportions', 'Proportions'],
   heads: ['Height in heads', 'Hauteur en têtes'],
@@ -172,5 +176,13 @@ export function t(key: StringKey, ...values: (string | number)[]): string {
 
 /** Names that the engine gives to lines and bones, in words: 'left_foot-head' -> 'left foot – head'. */
 export function spell(name: string): string {
-  return name.replaceAll('_', ' ').replace(/(?<=\w)-(?=\w)/g, ' – ');
+  return name
+    .replaceAll('_', ' ')
+    .replace(/(?<=[a-z])[A-Z]/g, (capital) => ` ${capital.toLowerCase()}`)
+    .replace(/(?<=\w)-(?=\w)/g, ' – ');
+}
+
+/** A built-in character in words. */
+export function builtinName(name: string): string {
+  return name in TABLE ? t(name as StringKey) : name;
 }

@@ -2,7 +2,7 @@
 // Everything that can be done, once: the palette lists it, the keys call it, buttons share it.
 import { signal } from '@preact/signals';
 import type { ExportFormat } from '../engine/protocol';
-import { t, type StringKey } from '../i18n/strings';
+import { builtinName, t, type StringKey } from '../i18n/strings';
 import { dark, leftHanded, showMini, showSkeleton } from '../model/prefs';
 import { language } from '../i18n/strings';
 import type { Studio } from '../studio';
@@ -127,7 +127,7 @@ export function makeActions(studio: Studio): Action[] {
     action('png', 'exportPng', ['Ctrl+E'], () => void (dialog.value = 'export')),
     ...exports.map((format) => action(`export.${format}`, () => t('exportAs', format.toUpperCase()), [], () => exportFile(studio, format))),
     ...['mannequin', 'cat', 'snake', 'tree'].map((name) =>
-      action(`add.${name}`, () => t('addCharacter', name), [], () => studio.addCharacter(name)),
+      action(`add.${name}`, () => t('addCharacter', builtinName(name)), [], () => studio.addCharacter(name)),
     ),
     action('remove', 'removeCharacter', [], () => void table.run({ name: 'remove_actor', actor: actor() })),
     action('new', 'newTable', [], () => studio.newTable()),

@@ -84,7 +84,7 @@ function Hint({ studio }: { studio: Studio }) {
   useEffect(() => {
     if (drawn) hintSeen.value = true;
   }, [drawn]);
-  if (drawn) return null;
+  if (drawn || studio.tool.value !== 'draw') return null;
   return (
     <div class="hint" aria-live="polite">
       <strong>{t('hint')}</strong>

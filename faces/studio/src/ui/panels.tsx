@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import type { LimitPreset, Method, StrokeSettings } from '../engine/protocol';
-import { spell, t, type StringKey } from '../i18n/strings';
+import { builtinName, spell, t, type StringKey } from '../i18n/strings';
 import type { Studio } from '../studio';
 import { Button, Choice, IconButton, Section, Slider, Switch } from './controls';
 
@@ -216,7 +216,7 @@ export function CharacterPanel({ studio }: Props) {
       <div class="grid">
         {BUILTIN.map((name) => (
           <Button key={name} onClick={() => void studio.addCharacter(name)}>
-            {t('addCharacter', spell(name))}
+            {t('addCharacter', builtinName(name))}
           </Button>
         ))}
       </div>
