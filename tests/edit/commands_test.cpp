@@ -2,12 +2,16 @@
 #include "croquis/edit/commands.h"
 
 #include "edit/figures.h"
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
 
 #include "croquis/base/error.h"
+#include "croquis/edit/line_setup.h"
+#include "croquis/edit/pose_line.h"
+#include "croquis/edit/readings.h"
 #include "croquis/edit/view.h"
 
 namespace croquis {
@@ -90,7 +94,8 @@ TEST(PoseAlongLines, GivesTheSamePoseAgain) {
 }
 
 TEST(PoseAlongLines, SolvesStrokesOfTheMethodLineTogether) {
-  const Project before = add_character({}, std::make_shared<const Character>(cross()));
+  Project before = add_character({}, std::make_shared<const Character>(cross()));
+  before.settings.floor = false;
   const auto stroke = [&](std::vector<int> joints, const Vec3& tip) {
     PlacedStroke placed;
     placed.camera = make_named_view(before.actors, View::front, 400, 400);
@@ -120,7 +125,8 @@ TEST(PoseAlongLines, SolvesStrokesOfTheMethodLineTogether) {
 
 TEST(PoseAlongLines, MatchesStrokesOfOtherMethodsOneAfterAnother) {
   const Project before = with_stalk();
-  const PlacedStroke stroke = quarter_circle(before);
+  PlacedStroke stroke = quarter_circle(before);
+  stroke.settings.method = "rotation";
   const PosedLines once = pose_along_lines(before, {stroke});
   const PosedLines twice = pose_along_lines(before, {stroke, stroke});
   const Pose chained = pose_along_lines(once.project, {stroke}).project.actors[0].pose;
@@ -150,6 +156,87 @@ TEST(PoseAlongLines, RefusesWhatIsNoStroke) {
   stroke = quarter_circle(before);
   stroke.actor = 1;
   EXPECT_THROW((void)pose_along_lines(before, {stroke}), Error);
+}
+
+TEST(PoseAlongLines, KeepsTheActorsPins) {
+  Project before = with_stalk();
+  before.actors[0].pins.push_back({8, Vec3(3, 6, 0), {}});
+  const PosedLines posed = pose_along_lines(before, {quarter_circle(before)});
+  const Vec3 tip = compute_positions(before.actors[0].character->skeleton, posed.project.actors[0].pose).back();
+  EXPECT_LT((tip - Vec3(3, 6, 0)).norm(), 1e-3);
+}
+
+TEST(PoseAlongLines, ExaggeratesALineOrMakesItStraight) {
+  const Project before = with_stalk();
+  const auto tip_at = [&](double factor) {
+    PlacedStroke stroke = quarter_circle(before);
+    stroke.settings.exaggerate = factor;
+    const PosedLines posed = pose_along_lines(before, {stroke});
+    const auto positions = compute_positions(before.actors[0].character->skeleton, posed.project.actors[0].pose);
+    return (positions.back() - positions.front()).norm();
+  };
+  EXPECT_NEAR(tip_at(0.0), 8.0, 0.05);
+  EXPECT_LT(tip_at(1.5), tip_at(1.0) - 0.3);
+}
+
+TEST(Readings, ListBothWaysRoundTheLikelierFirst) {
+  const Project before = with_stalk();
+  const std::vector<StrokeReading> readings = readings_of(before, quarter_circle(before));
+  ASSERT_GE(readings.size(), 2U);
+  EXPECT_TRUE(readings[0].forward);
+  EXPECT_EQ(readings[0].settings.direction, "forward");
+  EXPECT_LE(readings[0].cost, readings[1].cost);
+  EXPECT_TRUE(std::any_of(readings.begin(), readings.end(), [](const StrokeReading& r) { return !r.forward; }));
+  EXPECT_EQ(readings_of(before, quarter_circle(before), 1).size(), 1U);
+}
+
+TEST(AssignBodyLines, GivesEachStrokeABoneLineOfItsOwn) {
+  const Project before = add_character({}, std::make_shared<const Character>(cross()));
+  std::vector<PlacedStroke> strokes;
+  for (const double side : {1.0, -1.0}) {
+    PlacedStroke placed;
+    placed.camera = make_named_view(before.actors, View::front, 400, 400);
+    placed.settings.body_line = "auto";
+    for (int i = 0; i <= 10; ++i) {
+      placed.stroke.samples.push_back({*placed.camera.project(Vec3(0.2 * i * side, 0.002 * i * i, 0))});
+    }
+    strokes.push_back(placed);
+  }
+  const std::vector<PlacedStroke> assigned = assign_body_lines(before, strokes);
+  EXPECT_EQ(assigned[0].settings.body_line, "root-a2");
+  EXPECT_EQ(assigned[1].settings.body_line, "root-b2");
+  strokes.push_back(strokes.front());
+  EXPECT_THROW((void)assign_body_lines(before, strokes), Error) << "no line is left for the third";
+  strokes[0].stroke.name = "root-b2";
+  strokes.resize(1);
+  EXPECT_EQ(assign_body_lines(before, strokes)[0].settings.body_line, "root-b2") << "a name is stronger than a place";
+}
+
+TEST(ParsePin, ReadsAJointWithOrWithoutAPlace) {
+  const Project project = with_stalk();
+  const Actor& actor = project.actors[0];
+  EXPECT_EQ(parse_pin(actor, "j3").joint, 3);
+  EXPECT_EQ(parse_pin(actor, "j3").position, Vec3(0, 3, 0));
+  EXPECT_EQ(parse_pin(actor, "#2=1, -2,3e1").position, Vec3(1, -2, 30));
+  for (const char* wrong : {"", "j99", "j3=", "j3=1,2", "j3=1,2,x", "j3=1,2,inf"}) {
+    EXPECT_THROW((void)parse_pin(actor, wrong), Error) << wrong;
+  }
+}
+
+TEST(ReadPoseLine, DrawnAgainChangesNothing) {
+  const Project before = with_stalk();
+  const Project bent = pose_along_lines(before, {quarter_circle(before)}).project;
+  const Camera camera = quarter_circle(before).camera;
+  const PoseLine read = read_pose_line(bent.actors[0], {}, camera);
+  EXPECT_EQ(read.character.shape, LineShape::c);
+  EXPECT_NEAR(read.character.turn_degrees, 90.0, 25.0);
+  PlacedStroke again;
+  again.camera = camera;
+  again.stroke = read.stroke;
+  const Pose pose = pose_along_lines(bent, {again}).project.actors[0].pose;
+  for (std::size_t i = 0; i < pose.local.size(); ++i) {
+    EXPECT_LT(pose.local[i].rotation.angularDistance(bent.actors[0].pose.local[i].rotation), 0.1 * kDegree);
+  }
 }
 
 TEST(SetView, ReplacesTheViewOfThatName) {

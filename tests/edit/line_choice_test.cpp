@@ -2,6 +2,8 @@
 #include "croquis/edit/line_choice.h"
 
 #include "edit/figures.h"
+#include <cmath>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -96,26 +98,38 @@ TEST(MatchOptionsOfSettings, FollowTheirWords) {
 
 TEST(SolverOptionsOfSettings, FollowTheirWords) {
   StrokeSettings settings;
-  settings.method = "line";
-  EXPECT_TRUE(is_line_method(settings));
-  EXPECT_TRUE(solver_options(settings).lock_root) << "lock is what a stroke says by itself";
-  settings.root = "tangent";
-  settings.length = "scale";
+  EXPECT_TRUE(is_line_method(settings)) << "the method of a stroke that says nothing";
+  EXPECT_FALSE(solver_options(settings).lock_root);
+  for (const auto& [root, locks] : {std::pair{"lock", true}, {"tangent", false}, {"free", false}}) {
+    settings.root = root;
+    EXPECT_EQ(solver_options(settings).lock_root, locks) << root;
+  }
+  for (const auto& [length, policy] : {std::pair{"fit", LengthPolicy::fit},
+                                       {"trim", LengthPolicy::trim},
+                                       {"extend", LengthPolicy::extend},
+                                       {"scale", LengthPolicy::scale}}) {
+    settings.length = length;
+    EXPECT_EQ(solver_options(settings).length, policy) << length;
+  }
   settings.move = "body";
   settings.direction = "backward";
-  EXPECT_FALSE(solver_options(settings).lock_root);
   EXPECT_TRUE(solver_options(settings).move_body);
-  EXPECT_EQ(solver_options(settings).length, LengthPolicy::scale);
   EXPECT_EQ(solver_direction(settings), LineInput::Direction::backward);
   check_words(settings);
   settings.direction = "sideways";
   EXPECT_THROW(check_words(settings), Error);
+  settings.direction = "auto";
+  for (const double factor : {-0.1, 2.1, std::nan("")}) {
+    settings.exaggerate = factor;
+    EXPECT_THROW(check_words(settings), Error) << factor;
+  }
 }
 
 TEST(MatchOptionsOfSettings, NameTheWordsThereAre) {
   for (auto member :
        {&StrokeSettings::method, &StrokeSettings::root, &StrokeSettings::plane, &StrokeSettings::direction}) {
     StrokeSettings settings;
+    settings.method = "rotation";
     settings.*member = "sideways";
     try {
       (void)match_options(settings);

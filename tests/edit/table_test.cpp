@@ -79,6 +79,76 @@ TEST(Table, APreviewShowsAndACommitStays) {
   EXPECT_EQ(difference(rest, table.project()), 0.0);
 }
 
+TEST(Table, AGrowingStrokeIsFollowedAndLiftingThePenChangesNothing) {
+  Table table = table_with_mannequin();
+  const Project rest = table.project();
+  Json stroke = leaning_stroke(actor_of(table));
+  const Json samples = stroke["samples"];
+  double last = 0.0;
+  for (std::size_t count = 2; count <= samples.size(); count += 2) {
+    stroke["samples"] = Json(samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(count));
+    const Json shown = Json::parse(table.preview(stroke.dump()));
+    last = difference(rest, table.shown());
+    if (count > 8) {
+      EXPECT_EQ(shown["solved"]["line"]["name"], "trunk");
+    }
+  }
+  EXPECT_GT(last, 0.02);
+  stroke["samples"] = samples;
+  table.preview(stroke.dump());
+  const Project previewed = table.shown();
+  run(table, stroke);
+  EXPECT_EQ(difference(previewed, table.project()), 0.0);
+  // How many samples came at a time does not matter: a journal that knows the whole stroke alone replays the pose.
+  Table other = table_with_mannequin();
+  run(other, stroke);
+  EXPECT_EQ(difference(other.project(), table.project()), 0.0);
+}
+
+TEST(Table, AStrokeThatGrowsMovesThePoseWithThePen) {
+  Table table = table_with_mannequin();
+  Json stroke = leaning_stroke(actor_of(table));
+  const Json samples = stroke["samples"];
+  Project before = table.project();
+  for (std::size_t count = 2; count <= samples.size(); ++count) {
+    stroke["samples"] = Json(samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(count));
+    table.preview(stroke.dump());
+    if (difference(table.project(), before) > 0.0) {  // once the pen has taken hold
+      EXPECT_LT(difference(before, table.shown()), 0.2) << "a jump at sample " << count;
+    }
+    before = table.shown();
+  }
+}
+
+TEST(Table, ARedrawnStrokeKeepsItsLineAndUndoneChangesComeBack) {
+  Table table = table_with_mannequin();
+  const Json drawn = run(table, leaning_stroke(actor_of(table)));
+  const Project first = table.project();
+  const int stroke = drawn["state"]["strokes"][0]["id"];
+  Json samples = drawn["state"]["strokes"][0]["samples"];
+  for (Json& sample : samples) sample[0] = 800.0 - sample[0].get<double>();  // leaning the other way
+  const Json redrawn = run(table, {{"name", "redraw"}, {"stroke", stroke}, {"samples", samples}});
+  EXPECT_EQ(redrawn["solved"]["line"]["name"], drawn["solved"]["line"]["name"]);
+  EXPECT_GT(difference(first, table.project()), 0.05);
+  table.undo();
+  EXPECT_EQ(difference(first, table.project()), 0.0);
+}
+
+TEST(Table, RulesOfTheTableHoldForItsLines) {
+  Table table = table_with_mannequin();
+  const int actor = actor_of(table);
+  const int hand = table.project().actors[0].character->humanoid.joint(HumanoidBone::leftHand);
+  run(table, {{"name", "pin"}, {"actor", actor}, {"joint", hand}, {"on", true}, {"with_rotation", false}});
+  const Project before = table.project();
+  run(table, leaning_stroke(actor));
+  const auto place = [&](const Project& project) {
+    const Actor& figure = project.actors[0];
+    return compute_positions(figure.character->skeleton, figure.pose)[static_cast<std::size_t>(hand)];
+  };
+  EXPECT_LT((place(before) - place(table.project())).norm(), 1e-3);
+  EXPECT_THROW((void)table.execute(R"({"name":"set_table","settings":{"floor":"yes"}})", {}), Error);
+}
+
 TEST(Table, AnotherReadingIsAnotherPoseAndBackIsBack) {
   Table table = table_with_mannequin();
   const Json drawn = run(table, leaning_stroke(actor_of(table)));

@@ -31,6 +31,8 @@ Project some_project() {
   stroke.settings.body_line = "tip-root";
   stroke.settings.joints = {0, 1};
   stroke.settings.exaggerate = 1.5;
+  stroke.settings.depth = 2;
+  stroke.settings.live = true;
   stroke.actor = 1;
   stroke.id = 5;
   stroke.before = second->start;
@@ -38,7 +40,7 @@ Project some_project() {
   project.strokes = {stroke};
   project.poses = {{"wave", 1, b.pose}};
   project.views = {{"side", Camera{.position = Vec3(5, 1, 0), .height = 3.0}}};
-  project.settings.limits = "dancer";
+  project.settings = {"dancer", false, true, "lock"};
   project.next_id = 6;
   return project;
 }
@@ -78,12 +80,17 @@ TEST(ProjectFile, EverythingComesBack) {
   EXPECT_EQ(is.stroke.samples[1].position, was.stroke.samples[1].position);
   EXPECT_EQ(is.settings.joints, was.settings.joints);
   EXPECT_EQ(is.settings.exaggerate, 1.5);
+  EXPECT_EQ(is.settings.depth, 2);
+  EXPECT_TRUE(is.settings.live);
   EXPECT_EQ(is.line.joints, was.line.joints);
   EXPECT_TRUE(is.before);
   EXPECT_EQ(back.poses[0].name, "wave");
   EXPECT_EQ(back.poses[0].pose.local[1].translation, project.poses[0].pose.local[1].translation);
   EXPECT_EQ(back.views[0].camera.height, 3.0);
   EXPECT_EQ(back.settings.limits, "dancer");
+  EXPECT_FALSE(back.settings.floor);
+  EXPECT_TRUE(back.settings.balance);
+  EXPECT_EQ(back.settings.root, "lock");
   EXPECT_EQ(back.next_id, 6);
 }
 
@@ -124,6 +131,16 @@ Bytes changed(const Bytes& bytes, const std::function<void(nlohmann::ordered_jso
   auto json = nlohmann::ordered_json::parse(glb.json);
   change(json["extensions"]["CROQUIS_project"]);
   return make_glb(json.dump(), glb.binary);
+}
+
+TEST(ProjectFile, AStrokeThatNamesNoMethodWasMatchedByRotation) {
+  const Bytes old = changed(write_project(some_project()), [](auto& p) {
+    p["strokes"][0]["settings"].erase("method");
+    p["strokes"][0]["settings"].erase("root");
+  });
+  const Project back = read_project(old, "old.croquis");
+  EXPECT_EQ(back.strokes[0].settings.method, "rotation");
+  EXPECT_EQ(back.strokes[0].settings.root, "lock");
 }
 
 TEST(ProjectFile, ANewerVersionIsRefusedInWords) {

@@ -7,6 +7,7 @@
 #include "croquis/base/error.h"
 #include "croquis/base/text.h"
 #include "croquis/edit/commands.h"
+#include "croquis/edit/line_setup.h"
 #include "croquis/edit/pose_text.h"
 #include "croquis/posing/reach.h"
 #include "croquis/rig/joint_limits.h"
@@ -25,11 +26,6 @@ void want_joint(const Actor& actor, int joint) {
   if (joint < 0 || joint >= actor.character->skeleton.joint_count()) {
     throw_invalid_argument("joint " + std::to_string(joint) + " is not there");
   }
-}
-
-std::vector<JointLimit> limits_of(const Project& project, const Character& character) {
-  const LimitPreset preset = parse_limit_preset(project.settings.limits).value_or(LimitPreset::anatomical);
-  return make_joint_limits(character.skeleton, character.humanoid, preset);
 }
 
 /// The joint that carries the body: the hips, else the topmost bone.
@@ -104,7 +100,7 @@ Pose hold_pins(const Project& project, const Actor& actor, const Pose& before, c
       if (!pinned) goals.push_back({foot, positions[at(foot)], rotations[at(foot)]});
     }
   }
-  const std::vector<JointLimit> limits = limits_of(project, character);
+  const std::vector<JointLimit> limits = limits_of(project.settings, character);
   Pose pose = after;
   for (const ReachGoal& goal : goals) {
     const std::vector<ReachGoal> one{goal};
@@ -133,7 +129,7 @@ Project drag_joint(const Project& project, int id, int joint, const Vec3& target
     ReachGoal goal{joint, target_model, {}};
     if (keeps_turn) goal.rotation = compute_model_rotations(skeleton, actor.pose)[at(joint)];
     const std::vector<ReachGoal> goals{goal};
-    const ReachResult result = solve_reach(skeleton, actor.pose, goals, limb, limits_of(project, character));
+    const ReachResult result = solve_reach(skeleton, actor.pose, goals, limb, limits_of(project.settings, character));
     if (status != nullptr) *status = result.status;
     pose = result.pose;
   }
@@ -145,7 +141,7 @@ Project rotate_joint(const Project& project, int id, int joint, const Quat& turn
   want_joint(actor, joint);
   const Skeleton& skeleton = actor.character->skeleton;
   Pose pose = turn_joint(skeleton, actor.pose, joint, turn_model);
-  for (const JointLimit& limit : limits_of(project, *actor.character)) {
+  for (const JointLimit& limit : limits_of(project.settings, *actor.character)) {
     if (limit.joint != joint) continue;
     Quat& local = pose.local[at(joint)].rotation;
     local = clamp_to_limit(limit, local);

@@ -8,6 +8,8 @@
 #include "croquis/base/error.h"
 #include "croquis/base/text.h"
 #include "croquis/edit/line_choice.h"
+#include "croquis/edit/line_setup.h"
+#include "croquis/edit/readings.h"
 #include "croquis/rig/joint_limits.h"
 #include "croquis/sketch/stroke.h"
 
@@ -63,10 +65,10 @@ Solved match_in_turn(const Actor& actor, const std::vector<PlacedStroke>& stroke
   return solved;
 }
 
-Solved solve_together(const Actor& actor, const std::vector<PlacedStroke>& strokes,
+Solved solve_together(const Project& project, const Actor& actor, const std::vector<PlacedStroke>& strokes,
                       const std::vector<LineChoice>& choices) {
   const Character& character = *actor.character;
-  const LineSolverOptions options = solver_options(strokes.front().settings);
+  const LineSolverOptions options = make_solver_options(project, actor, strokes.front().settings);
   const auto begin = std::chrono::steady_clock::now();
   std::vector<LineInput> inputs;
   for (std::size_t i = 0; i < strokes.size(); ++i) {
@@ -79,10 +81,14 @@ Solved solve_together(const Actor& actor, const std::vector<PlacedStroke>& strok
     if (choices[i].line.joints.empty()) {
       throw_invalid_argument("joints " + printable(choices[i].line.name) + ": the method line wants a path");
     }
-    inputs.push_back({choices[i].line, clean_stroke(strokes[i].stroke), solver_direction(strokes[i].settings)});
+    inputs.push_back(make_line_input(strokes[i], choices[i].line));
+    settle_direction(inputs.back(), character.skeleton, actor.pose, strokes[i].camera);
   }
-  LineSolverResult result =
-      solve_lines(character.skeleton, character.humanoid, actor.pose, inputs, strokes.front().camera, options);
+  int depth = 0;
+  for (const PlacedStroke& stroke : strokes) depth = std::max(depth, stroke.settings.depth);
+  std::vector<LineSolverResult> results = solve_alternatives(character.skeleton, character.humanoid, actor.pose, inputs,
+                                                             strokes.front().camera, options, depth + 1);
+  LineSolverResult result = std::move(results.back());
   const double spent = milliseconds_since(begin);
   Solved solved{std::move(result.pose), {}};
   for (std::size_t i = 0; i < inputs.size(); ++i) {
@@ -92,6 +98,8 @@ Solved solve_together(const Actor& actor, const std::vector<PlacedStroke>& strok
     report.forward = result.forward[i];
     report.fit = result.fits[i];
     report.bone_length_drift = result.bone_length_drift;
+    report.limits_widened = result.limits_widened;
+    report.overlap = result.overlap;
     report.solve_ms = spent;
     solved.reports.push_back(std::move(report));
   }
@@ -131,22 +139,25 @@ Project set_pose(const Project& project, int actor, Pose pose) {
   return next;
 }
 
-PosedLines pose_along_lines(const Project& project, const std::vector<PlacedStroke>& strokes) {
-  if (strokes.empty()) throw_invalid_argument("pose_along_lines: got no stroke");
-  const int index = strokes.front().actor;
+PosedLines pose_along_lines(const Project& project, const std::vector<PlacedStroke>& given) {
+  if (given.empty()) throw_invalid_argument("pose_along_lines: got no stroke");
+  const int index = given.front().actor;
   const Actor& actor = actor_of(project, index);
   const Character& character = *actor.character;
-  std::vector<LineChoice> choices;
-  for (const PlacedStroke& stroke : strokes) {
+  for (const PlacedStroke& stroke : given) {
     if (stroke.actor != index) throw_invalid_argument("pose_along_lines: the strokes are of several actors");
     stroke.camera.check();
     check_stroke(stroke.stroke, stroke.camera);
-    choices.push_back(choose_line(character, stroke.settings));
+    check_words(stroke.settings);
   }
-  Solved solved = is_line_method(strokes.front().settings) ? solve_together(actor, strokes, choices)
+  const std::vector<PlacedStroke> strokes = assign_body_lines(project, given);
+  std::vector<LineChoice> choices;
+  for (const PlacedStroke& stroke : strokes) choices.push_back(choose_line(character, stroke.settings));
+  Solved solved = is_line_method(strokes.front().settings) ? solve_together(project, actor, strokes, choices)
                                                            : match_in_turn(actor, strokes, choices);
-  const std::vector<int> violations = find_limit_violations(
-      make_joint_limits(character.skeleton, character.humanoid, LimitPreset::anatomical), solved.pose);
+  TableSettings judged = project.settings;
+  if (judged.limits == "none") judged.limits = "anatomical";
+  const std::vector<int> violations = find_limit_violations(limits_of(judged, character), solved.pose);
   for (LineReport& report : solved.reports) report.limit_violations = violations;
 
   PosedLines result{set_pose(project, index, std::move(solved.pose)), std::move(solved.reports)};

@@ -30,9 +30,11 @@ struct LineReport {
   bool forward = true;             ///< the stroke was taken to start at the line's first joint
   LineFit fit;                     ///< pixels of the stroke's view
   double bone_length_drift = 0.0;  ///< relative to the pose before
-  std::vector<int>
-      limit_violations;   ///< joints bent beyond the anatomical range of motion; none of what is no humanoid
-  double solve_ms = 0.0;  ///< from the stroke as drawn to the pose
+  /// Joints bent beyond the table's limits (without limits: beyond a human's); none of what is no humanoid.
+  std::vector<int> limit_violations;
+  std::vector<int> limits_widened;  ///< joints that the pose drawn over bends beyond them: they may stay as they are
+  double overlap = 0.0;             ///< deepest that two limbs pass into each other, in sizes of the body
+  double solve_ms = 0.0;            ///< from the stroke as drawn to the pose
 };
 
 struct PosedLines {
@@ -41,7 +43,9 @@ struct PosedLines {
 };
 
 /// Poses an actor along strokes, from the pose that it holds, and keeps the strokes in the project. Strokes of the
-/// method "line" are one problem and are solved together; those of the other methods are matched one after another.
+/// method "line" are one problem, with the table's settings and the actor's pins, and are solved together (root, length
+/// and move as the first says); those of the other methods are matched one after another. Body lines "auto" are found
+/// (assign_body_lines).
 /// Throws invalid_argument for no stroke, for one that cannot be used (check_stroke), for settings that fit no joint
 /// (choose_line), and for strokes of several actors, or of the method "line" and others or in different views.
 [[nodiscard]] PosedLines pose_along_lines(const Project& project, const std::vector<PlacedStroke>& strokes);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "croquis/edit/line_choice.h"
 
+#include <cmath>
 #include <initializer_list>
 #include <utility>
 
@@ -94,7 +95,11 @@ MatchOptions match_options(const StrokeSettings& settings) {
                            "': wanted line, rotation, rotation-index, near, curvilinear");
   }
   options.method = *method;
-  options.root = look_up<RootMode>("root", settings.root, {{"lock", RootMode::lock}, {"tangent", RootMode::tangent}});
+  options.root = look_up<RootMode>("root", settings.root,
+                                   {{"auto", RootMode::lock},
+                                    {"lock", RootMode::lock},
+                                    {"tangent", RootMode::tangent},
+                                    {"free", RootMode::tangent}});
   options.plane =
       look_up<DrawingPlane>("plane", settings.plane, {{"free", DrawingPlane::free}, {"ground", DrawingPlane::ground}});
   options.direction = look_up<DirectionRule>("direction", settings.direction,
@@ -107,9 +112,13 @@ MatchOptions match_options(const StrokeSettings& settings) {
 
 LineSolverOptions solver_options(const StrokeSettings& settings) {
   LineSolverOptions options;
-  options.lock_root = look_up<bool>("root", settings.root, {{"lock", true}, {"tangent", false}, {"free", false}});
-  options.length =
-      look_up<LengthPolicy>("length", settings.length, {{"fit", LengthPolicy::fit}, {"scale", LengthPolicy::scale}});
+  options.lock_root =
+      look_up<bool>("root", settings.root, {{"auto", false}, {"lock", true}, {"tangent", false}, {"free", false}});
+  options.length = look_up<LengthPolicy>("length", settings.length,
+                                         {{"fit", LengthPolicy::fit},
+                                          {"scale", LengthPolicy::scale},
+                                          {"trim", LengthPolicy::trim},
+                                          {"extend", LengthPolicy::extend}});
   options.move_body = look_up<bool>("move", settings.move, {{"line", false}, {"body", true}});
   return options;
 }
@@ -121,12 +130,18 @@ LineInput::Direction solver_direction(const StrokeSettings& settings) {
 }
 
 void check_words(const StrokeSettings& settings) {
-  if (is_line_method(settings)) {
-    (void)solver_options(settings);
-    (void)solver_direction(settings);
-  } else {
+  if (!is_line_method(settings)) {
     (void)match_options(settings);
+    return;
   }
+  (void)solver_options(settings);
+  (void)solver_direction(settings);
+  (void)look_up<int>("plane", settings.plane, {{"free", 0}, {"ground", 1}});
+  const auto want = [](const char* what, double value, bool holds, const char* range) {
+    if (!holds) throw_invalid_argument(std::string(what) + " " + format_double(value) + ": wanted " + range);
+  };
+  want("exaggerate", settings.exaggerate, settings.exaggerate >= 0.0 && settings.exaggerate <= 2.0, "0 to 2");
+  want("weight", settings.weight, settings.weight > 0.0 && std::isfinite(settings.weight), "more than 0");
 }
 
 }  // namespace croquis

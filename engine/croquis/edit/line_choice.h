@@ -31,13 +31,14 @@ struct LineChoice {
 /// Whether the settings ask for the line solver; otherwise they ask for one of the matching methods.
 [[nodiscard]] bool is_line_method(const StrokeSettings& settings);
 
-/// The options that the settings spell, for a matching method and for the line solver ("tangent" means "free" there).
-/// Throw invalid_argument that names the word and the words there are.
+/// The options that the settings spell, for a matching method and for the line solver. A root that is "tangent" for the
+/// one is "free" for the other, and the other way round. Throw invalid_argument that names the word and the words there
+/// are.
 [[nodiscard]] MatchOptions match_options(const StrokeSettings& settings);
 [[nodiscard]] LineSolverOptions solver_options(const StrokeSettings& settings);
 [[nodiscard]] LineInput::Direction solver_direction(const StrokeSettings& settings);
 
-/// Throws invalid_argument if a word in the settings is none.
+/// Throws invalid_argument if a word in the settings is none, or a factor out of its range.
 void check_words(const StrokeSettings& settings);
 
 }  // namespace croquis

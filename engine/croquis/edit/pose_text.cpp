@@ -9,6 +9,7 @@
 
 #include "croquis/base/error.h"
 #include "croquis/base/text.h"
+#include "croquis/body/pose_shelf.h"
 
 namespace croquis {
 namespace {
@@ -116,6 +117,20 @@ Pose read_pose_text(std::string_view text, const Character& character, const Pos
   }
   if (fitting == 0) throw_invalid_argument("no joint of this pose is a joint of " + printable(character.name));
   return pose;
+}
+
+std::optional<Pose> find_shelf_pose(const Character& character, std::string_view name) {
+  if (!character.humanoid.has(HumanoidBone::hips)) return std::nullopt;
+  const auto plain = [](std::string_view text) {
+    std::string word = to_lower(text);
+    std::replace(word.begin(), word.end(), '-', ' ');
+    return word;
+  };
+  for (const ShelfPose& pose : make_pose_shelf()) {
+    if (pose.kind != ShelfPose::Kind::body || plain(pose.name) != plain(name)) continue;
+    return read_pose_text(write_pose_text(pose.pose, pose.grounded), character, rest_pose(character.skeleton));
+  }
+  return std::nullopt;
 }
 
 }  // namespace croquis

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -18,5 +19,9 @@ namespace croquis {
 /// The pose on `character`, over `base` where the text is silent. Throws bad_file with the JSON pointer; bones and
 /// joints that this character lacks are passed over, but a text of which nothing fits is an error.
 [[nodiscard]] Pose read_pose_text(std::string_view text, const Character& character, const Pose& base);
+
+/// The pose of the shelf (body/pose_shelf.h) with that name, capitals aside and "-" for a space if one likes, on a
+/// humanoid; nothing if there is none.
+[[nodiscard]] std::optional<Pose> find_shelf_pose(const Character& character, std::string_view name);
 
 }  // namespace croquis

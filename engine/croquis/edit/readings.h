@@ -5,20 +5,28 @@
 #include <vector>
 
 #include "croquis/project/project.h"
+#include "croquis/rig/body_line.h"
 
 namespace croquis {
 
-/// A way to read a stroke: settings in which body line and direction are said.
+/// A way to read a stroke: settings in which body line, direction and depth are said.
 struct StrokeReading {
-  std::string label;  ///< the line's name, and "(backward)" where the stroke starts at its last joint
+  std::string label;  ///< the line's name, and how it is read: "trunk (backward)", "left_arm (depth 2)"
+  BodyLine line;      ///< `joints` empty for a selection that is no path
+  bool forward = true;
+  double cost = 0.0;  ///< how implausible it is, the least first; comparable among the readings of one stroke
   StrokeSettings settings;
 };
 
-/// What a stroke drawn over `pose` may mean, likeliest first, at most six: the body lines that it may be meant for
-/// (where its settings say body_line "auto" and name no joints), each from both ends (where they say direction "auto").
-/// Ranked by how near the stroke's ends and length come to the line's in the picture. A stroke that starts at the feet
-/// or at the root is likelier than one that ends there.
-[[nodiscard]] std::vector<StrokeReading> readings_of(const Character& character, const Pose& pose,
-                                                     const PlacedStroke& stroke);
+/// What a stroke drawn over the pose that its actor holds may mean, likeliest first, at most `most`: the body lines
+/// that it may be meant for (where its settings say body_line "auto" and name no joints; see rank_body_lines), either
+/// way round (where they say direction "auto"), and, of the likeliest, the other depths that the picture leaves open.
+/// Throws invalid_argument for a stroke that cannot be used and for settings that fit no joint.
+[[nodiscard]] std::vector<StrokeReading> readings_of(const Project& project, const PlacedStroke& stroke, int most = 6);
+
+/// Says for each of several strokes of one actor which body line it is for, where its settings say "auto": the line
+/// that its name (the id in an SVG) names, else the one that it is likeliest meant for of those that share no bone with
+/// another stroke's. Throws invalid_argument, naming the stroke, where none is left.
+[[nodiscard]] std::vector<PlacedStroke> assign_body_lines(const Project& project, std::vector<PlacedStroke> strokes);
 
 }  // namespace croquis

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "croquis/edit/table.h"
 
+#include <chrono>
 #include <utility>
 
 #include "croquis/base/error.h"
@@ -80,13 +81,34 @@ std::string Table::show(const TableChange& change, bool project_changed) {
 }
 
 std::string Table::execute(std::string_view command_json, std::span<const std::byte> file) {
-  TableChange change = apply_table_command(history_.current(), command_json, file);
+  TableChange change = apply_table_command(history_.current(), command_json, file, {live_.get(), true});
   history_.commit(change.project, change.label);
   return show(change, true);
 }
 
+std::optional<TableChange> Table::follow_pen(std::string_view command_json) {
+  const Project& project = history_.current();
+  const std::optional<PlacedStroke> stroke = read_draw_command(project, command_json);
+  if (!stroke || !is_followed_live(stroke->settings)) return std::nullopt;
+  const auto begin = std::chrono::steady_clock::now();
+  if (!live_ || !live_->follows(project, *stroke)) live_ = std::make_shared<LiveStroke>(project, *stroke);
+  TableChange change;
+  change.project = set_pose(project, stroke->actor, live_->update(stroke->stroke.samples));
+  if (live_->body_line().joints.empty()) return change;
+  DrawnStroke line;
+  line.line = live_->body_line();
+  line.report.body_line = line.line.name;
+  line.report.forward = live_->forward();
+  line.report.solve_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  line.readings = {line.line.name + (line.report.forward ? "" : " (backward)")};
+  change.line = std::move(line);
+  return change;
+}
+
 std::string Table::preview(std::string_view command_json) {
-  return show(apply_table_command(history_.current(), command_json), false);
+  const std::optional<TableChange> followed = follow_pen(command_json);
+  if (followed) return show(*followed, false);
+  return show(apply_table_command(history_.current(), command_json, {}, {live_.get(), false}), false);
 }
 
 std::string Table::cancel_preview() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,7 +24,8 @@ class Table {
 
   /// Applies a command and makes it one step of the history.
   std::string execute(std::string_view command_json, std::span<const std::byte> file);
-  /// Shows what a command would do; the project stays as it is.
+  /// Shows what a command would do; the project stays as it is. A "draw" with more and more samples is followed live:
+  /// each costs a step of the line solver, and executing it leaves the pose that was shown.
   std::string preview(std::string_view command_json);
   /// Shows the project again.
   std::string cancel_preview();
@@ -50,9 +52,11 @@ class Table {
 
  private:
   std::string show(const TableChange& change, bool project_changed);
+  [[nodiscard]] std::optional<TableChange> follow_pen(std::string_view command_json);
 
   History history_;
   Project shown_;
+  std::shared_ptr<LiveStroke> live_;  ///< the stroke drawn last, or being drawn
 };
 
 }  // namespace croquis

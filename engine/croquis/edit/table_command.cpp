@@ -22,6 +22,7 @@ struct Call {
   const Project& project;
   const TableArguments& arguments;
   std::span<const std::byte> file;
+  const DrawHelp& help;
 
   [[nodiscard]] int actor() const { return arguments.integer("actor"); }
   [[nodiscard]] int stroke() const { return arguments.integer("stroke"); }
@@ -83,19 +84,24 @@ TableChange open(const Call& call) {
   return plain(add_character(call.project, std::move(character)), "open " + name);
 }
 
-TableChange draw(const Call& call) {
+PlacedStroke drawn_stroke(const Project& project, const TableArguments& arguments) {
   PlacedStroke stroke;
-  stroke.actor = actor_index(call.project, call.actor());
-  stroke.stroke.samples = call.arguments.samples("samples");
+  stroke.actor = actor_index(project, arguments.integer("actor"));
+  stroke.stroke.samples = arguments.samples("samples");
   stroke.stroke.raw_pen = true;
-  stroke.camera = call.arguments.camera("camera");
-  stroke.settings = call.arguments.stroke_settings("settings", default_stroke_settings(call.project));
-  return solved(draw_stroke(call.project, stroke), "draw");
+  stroke.camera = arguments.camera("camera");
+  stroke.settings = arguments.stroke_settings("settings", default_stroke_settings(project));
+  return stroke;
+}
+
+TableChange draw(const Call& call) {
+  return solved(draw_stroke(call.project, drawn_stroke(call.project, call.arguments), call.help), "draw");
 }
 
 TableChange redraw(const Call& call) {
   const PlacedStroke& old = call.project.strokes[static_cast<std::size_t>(stroke_index(call.project, call.stroke()))];
-  return solved(change_stroke(call.project, call.stroke(), call.arguments.samples("samples"), old.settings), "redraw");
+  return solved(change_stroke(call.project, call.stroke(), call.arguments.samples("samples"), old.settings, call.help),
+                "redraw");
 }
 
 TableChange set_stroke(const Call& call) {
@@ -105,7 +111,7 @@ TableChange set_stroke(const Call& call) {
     return plain(hide_stroke(call.project, call.stroke(), hidden), hidden ? "hide line" : "show line");
   }
   const StrokeSettings settings = call.arguments.stroke_settings("settings", old.settings);
-  return solved(change_stroke(call.project, call.stroke(), old.stroke.samples, settings), "change line");
+  return solved(change_stroke(call.project, call.stroke(), old.stroke.samples, settings, call.help), "change line");
 }
 
 TableChange drag(const Call& call) {
@@ -198,16 +204,22 @@ constexpr std::array<std::pair<std::string_view, Handler>, 20> kHandlers{{
 
 }  // namespace
 
-TableChange apply_table_command(const Project& project, std::string_view command_json,
-                                std::span<const std::byte> file) {
+TableChange apply_table_command(const Project& project, std::string_view command_json, std::span<const std::byte> file,
+                                const DrawHelp& help) {
   const TableArguments arguments(command_json);
   const std::string name = arguments.text("name");
   for (const auto& [known, handler] : kHandlers) {
-    if (known == name) return handler({project, arguments, file});
+    if (known == name) return handler({project, arguments, file, help});
   }
   std::vector<std::string> names;
   for (const auto& [known, handler] : kHandlers) names.emplace_back(known);
   throw_bad_file("/name", "'" + printable(name) + "' is no command; there are " + join(names, ", "));
+}
+
+std::optional<PlacedStroke> read_draw_command(const Project& project, std::string_view command_json) {
+  const TableArguments arguments(command_json);
+  if (arguments.text("name") != "draw") return std::nullopt;
+  return drawn_stroke(project, arguments);
 }
 
 }  // namespace croquis

@@ -63,6 +63,13 @@ const std::array<std::pair<const char*, std::string StrokeSettings::*>, 7> kWord
 const std::array<std::pair<const char*, double StrokeSettings::*>, 2> kFactors{
     {{"exaggerate", &StrokeSettings::exaggerate}, {"weight", &StrokeSettings::weight}}};
 
+int count(const Json& value, const std::string& place) {
+  if (!value.is_number_integer() || value.get<long long>() < 0 || value.get<long long>() > 1000) {
+    throw_bad_file(place, "wanted a whole number from 0 to 1000");
+  }
+  return value.get<int>();
+}
+
 Json to_json(const Vec3& v) { return Json::array({v.x(), v.y(), v.z()}); }
 
 Json describe(const StrokeSettings& settings) {
@@ -71,6 +78,8 @@ Json describe(const StrokeSettings& settings) {
   for (const auto& [name, member] : kFactors) json[name] = settings.*member;
   json["joints"] = settings.joints;
   json["alternative"] = settings.alternative;
+  json["depth"] = settings.depth;
+  json["live"] = settings.live;
   return json;
 }
 
@@ -231,9 +240,12 @@ StrokeSettings TableArguments::stroke_settings(const char* name, const StrokeSet
     if (json.contains(field)) settings.*member = finite(json[field], pointer(name) + "/" + field);
   }
   if (json.contains("joints")) settings.joints = indices(json["joints"], pointer(name) + "/joints");
-  if (json.contains("alternative")) {
-    settings.alternative = static_cast<int>(finite(json["alternative"], pointer(name) + "/alternative"));
-  }
+  const auto put_count = [&](const char* field, int& value) {
+    if (json.contains(field)) value = count(json[field], pointer(name) + "/" + field);
+  };
+  put_count("alternative", settings.alternative);
+  put_count("depth", settings.depth);
+  if (json.contains("live")) settings.live = json["live"] == true;
   return settings;
 }
 
@@ -242,8 +254,13 @@ TableSettings TableArguments::table_settings(const char* name, const TableSettin
   const Json& json = at(name);
   if (json.contains("limits")) settings.limits = word(json["limits"], pointer(name) + "/limits");
   if (json.contains("root")) settings.root = word(json["root"], pointer(name) + "/root");
-  if (json.contains("floor")) settings.floor = json["floor"] == true;
-  if (json.contains("balance")) settings.balance = json["balance"] == true;
+  const auto put_flag = [&](const char* field, bool& flag) {
+    if (!json.contains(field)) return;
+    if (!json[field].is_boolean()) throw_bad_file(pointer(name) + "/" + field, "wanted true or false");
+    flag = json[field].get<bool>();
+  };
+  put_flag("floor", settings.floor);
+  put_flag("balance", settings.balance);
   return settings;
 }
 
@@ -257,8 +274,8 @@ std::map<std::string, double> TableArguments::numbers_by_name(const char* name) 
 
 StrokeSettings default_stroke_settings(const Project& project) {
   StrokeSettings settings;
-  settings.method = "line";
   settings.body_line = "auto";
+  settings.live = true;
   settings.root = project.settings.root;
   return settings;
 }

@@ -41,22 +41,27 @@ Json write_settings(const StrokeSettings& settings, const JointNodes& nodes) {
           {"length", settings.length},
           {"exaggerate", settings.exaggerate},
           {"weight", settings.weight},
-          {"alternative", settings.alternative}};
+          {"alternative", settings.alternative},
+          {"depth", settings.depth},
+          {"live", settings.live}};
 }
 
 StrokeSettings read_settings(const JsonPlace& place, const JointNodes& nodes) {
   StrokeSettings settings;
-  settings.method = place["method"].text_or(settings.method);
+  // What is not said is what a file meant that was written before the line solver was the default.
+  settings.method = place["method"].text_or("rotation");
   settings.body_line = place["body_line"].text_or("");
   settings.joints = read_joints(place["joints"], nodes);
   settings.plane = place["plane"].text_or(settings.plane);
-  settings.root = place["root"].text_or(settings.root);
+  settings.root = place["root"].text_or("lock");
   settings.direction = place["direction"].text_or(settings.direction);
   settings.move = place["move"].text_or(settings.move);
   settings.length = place["length"].text_or(settings.length);
   settings.exaggerate = place["exaggerate"].number_or(settings.exaggerate);
   settings.weight = place["weight"].number_or(settings.weight);
   settings.alternative = static_cast<int>(place["alternative"].integer_or(0, 0, 1000000));
+  settings.depth = static_cast<int>(place["depth"].integer_or(0, 0, 1000000));
+  settings.live = place["live"].boolean_or(false);
   return settings;
 }
 

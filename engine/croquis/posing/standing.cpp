@@ -36,7 +36,8 @@ std::vector<PosePin> pin_standing_feet(const Skeleton& skeleton, const HumanoidM
     for (const LineInput& input : inputs) {
       for (const int joint : input.line.joints) {
         carried = carried || skeleton.is_ancestor(joint, foot);
-        told = told || skeleton.is_ancestor(leg, joint);
+        // A line across the hips ends where the legs begin and says nothing of them.
+        told = told || (joint != leg && skeleton.is_ancestor(leg, joint));
       }
     }
     for (const PosePin& pin : options.pins) told = told || skeleton.is_ancestor(leg, pin.joint);

@@ -16,17 +16,19 @@ namespace croquis {
 
 /// How a stroke is meant: everything needed to solve it again and get the same pose.
 struct StrokeSettings {
-  std::string method = "rotation";  ///< a method's name as on the command line
-  std::string body_line;            ///< a standard line's name; empty where `joints` says it
-  std::vector<int> joints;          ///< the path, in the stroke's order; empty where `body_line` says it
-  std::string plane = "free";       ///< free | ground
-  std::string root = "lock";        ///< lock | tangent | free
-  std::string direction = "auto";   ///< auto | forward | backward | length
-  std::string move = "line";        ///< line | body: what else may move
-  std::string length = "fit";       ///< fit | scale | trim | extend
-  double exaggerate = 1.0;          ///< factor on the line's curvature, 0..2
-  double weight = 1.0;              ///< against other strokes, > 0
-  int alternative = 0;              ///< which reading of the line, 0 the likeliest
+  std::string method = "line";     ///< a method's name as on the command line
+  std::string body_line;           ///< a standard line's name, or "auto"; empty where `joints` says it
+  std::vector<int> joints;         ///< the path, in the stroke's order; empty where `body_line` says it
+  std::string plane = "free";      ///< free | ground
+  std::string root = "auto";       ///< lock | tangent | free | auto (free for the line solver, else lock)
+  std::string direction = "auto";  ///< auto | forward | backward | length
+  std::string move = "line";       ///< line | body: what else may move
+  std::string length = "fit";      ///< fit | scale | trim | extend
+  double exaggerate = 1.0;         ///< factor on the line's curvature, 0..2
+  double weight = 1.0;             ///< against other strokes, > 0
+  int alternative = 0;             ///< which reading of the line, 0 the likeliest
+  int depth = 0;                   ///< which of the depths that the picture leaves open, 0 the best
+  bool live = false;               ///< posed while it was drawn, each sample from the pose before it; else as a whole
 };
 
 /// A stroke in the view it was drawn in, on a character.
@@ -61,9 +63,9 @@ struct Actor {
 /// What holds for every line drawn on this table.
 struct TableSettings {
   std::string limits = "anatomical";  ///< anatomical | dancer | cartoon | none
-  bool floor = true;                  ///< feet that stand on the floor stay there
-  bool balance = false;
-  std::string root = "free";  ///< lock | tangent | free
+  bool floor = true;                  ///< nothing goes below the floor, feet that stand on it stay
+  bool balance = false;               ///< the centre of mass stays over the feet
+  std::string root = "free";          ///< lock | tangent | free
 };
 
 struct NamedPose {

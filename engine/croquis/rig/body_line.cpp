@@ -54,6 +54,8 @@ std::vector<BodyLine> humanoid_lines(const Skeleton& skeleton, const HumanoidMap
       {"right_arm", rightUpperArm, right_hand},
       {"left_leg", leftUpperLeg, left_foot},
       {"right_leg", rightUpperLeg, right_foot},
+      {"shoulders", leftUpperArm, rightUpperArm},
+      {"hips", leftUpperLeg, rightUpperLeg},
   };
   std::vector<BodyLine> lines;
   for (const auto& [name, from, to] : wanted) {
