@@ -24,8 +24,7 @@ build:
 
 demo: build
 	@mkdir -p out
-	build/release/croquis pose mannequin --line assets/demo_line.svg --method line --body-line left_foot-left_hand \
-	  --direction forward -o out/demo.glb --picture out/demo.png
+	build/release/croquis pose mannequin --start relaxed --line assets/demo_line.svg -o out/demo.glb --picture out/demo.png
 	@echo 'See out/demo.png, and open out/demo.glb in any viewer'
 
 test:

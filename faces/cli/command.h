@@ -17,6 +17,8 @@ struct Command {
 
 // One file each under commands/.
 [[nodiscard]] Command add_pose_command(CLI::App& program);
+[[nodiscard]] Command add_line_command(CLI::App& program);
+[[nodiscard]] Command add_sheet_command(CLI::App& program);
 [[nodiscard]] Command add_info_command(CLI::App& program);
 [[nodiscard]] Command add_render_command(CLI::App& program);
 [[nodiscard]] Command add_convert_command(CLI::App& program);

@@ -47,6 +47,15 @@ Project load_project(const std::string& file, const Proportions& proportions) {
   return add_character({}, std::make_shared<const Character>(read_from_disk(file)));
 }
 
+Project at_frame(Project project, int frame, const std::string& file) {
+  return naming(file, [&] {
+    Actor& actor = project.actors.front();
+    actor.character = std::make_shared<const Character>(character_at_frame(*actor.character, frame));
+    actor.pose = actor.character->start;
+    return project;
+  });
+}
+
 Camera load_camera(const std::string& file) {
   const Bytes bytes = read_file(file);
   return naming(file, [&] {

@@ -14,6 +14,9 @@ namespace croquis::cli {
 /// file of such a name is reached as ./name).
 [[nodiscard]] Project load_project(const std::string& file, const Proportions& proportions = {});
 
+/// The project with its first actor as in frame `frame` of its first clip, counted from 0.
+[[nodiscard]] Project at_frame(Project project, int frame, const std::string& file);
+
 [[nodiscard]] Camera load_camera(const std::string& file);
 [[nodiscard]] std::vector<Stroke> load_strokes(const std::string& file, int width_px, int height_px);
 

@@ -75,7 +75,8 @@ int run(int argc, char** argv) {
       "Example:\n"
       "  croquis pose mannequin --picture mannequin.png -o mannequin.glb\n"
       "Each command has a --help with its defaults and an example.");
-  const std::vector<Command> commands{add_pose_command(program),      add_info_command(program),
+  const std::vector<Command> commands{add_pose_command(program),      add_line_command(program),
+                                      add_sheet_command(program),     add_info_command(program),
                                       add_render_command(program),    add_convert_command(program),
                                       add_character_command(program), add_studio_command(program)};
   try {

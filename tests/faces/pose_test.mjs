@@ -320,8 +320,121 @@ test('of several strokes each poses the body line that its id names', () => {
   assert.notEqual(rotation(a, 'leftUpperArm'), rotation(t, 'leftUpperArm'));
 });
 
-test('of several strokes without such ids the first is the line, and the report says so', () => {
+test('several strokes without such ids find lines of their own', () => {
+  const folder = makeFolder();
+  succeed(['line', 'mannequin', '--body-line', 'left_arm', '-o', 'arm.svg'], { cwd: folder });
+  succeed(['line', 'mannequin', '--body-line', 'right_leg', '-o', 'leg.svg'], { cwd: folder });
+  const path = (name) => readFileSync(join(folder, name), 'utf8').match(/ d="([^"]+)"/)[1];
+  writeFileSync(join(folder, 'line.svg'), `<svg viewBox="0 0 1024 1024"><path d="${path('arm.svg')}"/><path d="${path('leg.svg')}"/></svg>`);
+  const report = posed(folder, '-o', 'out.glb');
+  assert.deepEqual(report.lines.map((line) => line.body_line).sort(), ['left_arm', 'right_leg']);
+});
+
+test('of several strokes for one line the first is taken, and the report says so', () => {
   const folder = makeFolder();
   writeFileSync(join(folder, 'line.svg'), `<svg viewBox="0 0 1024 1024"><path d="${curve}"/><path d="M0 0L9 9"/></svg>`);
-  assert.match(posed(folder, '-o', 'out.glb').notices.join(), /2 strokes, of which 1 is used/);
+  assert.match(posed(folder, '--body-line', 'trunk', '-o', 'out.glb').notices.join(), /2 strokes, of which 1 is used/);
+});
+
+const rotationOf = (file, name) => gltfJson(file).nodes.find((node) => node.name === name).rotation ?? [0, 0, 0, 1];
+
+test('the line of a pose, drawn again over it, changes nothing', () => {
+  const folder = folderWithLine();
+  posed(folder, '--body-line', 'left_foot-head', '-o', 'first.glb');
+  for (const name of ['trunk', 'left_foot-head', 'right_arm']) {
+    const read = JSON.parse(succeed(['line', 'first.glb', '--body-line', name, '-o', 'again.svg', '--json'], { cwd: folder }));
+    assert.equal(read.body_line, name);
+    const report = JSON.parse(succeed(['pose', 'first.glb', '--start', 'first.glb', '--line', 'again.svg', '--json', '-o', 'again.glb'], { cwd: folder }));
+    assert.equal(report.body_line, name);
+    const wanted = gltfJson(join(folder, 'first.glb')).nodes, got = gltfJson(join(folder, 'again.glb')).nodes;
+    wanted.forEach((node, i) => {
+      const a = node.rotation ?? [0, 0, 0, 1], b = got[i].rotation ?? [0, 0, 0, 1];
+      const turn = 2 * Math.acos(Math.min(1, Math.abs(a.reduce((sum, v, k) => sum + v * b[k], 0)))) * 180 / Math.PI;
+      assert.ok(turn <= 0.1, `${name}: ${node.name} turned by ${turn} degrees`);
+    });
+  }
+});
+
+test('line tells the shape of a pose and how strong it is', () => {
+  const folder = makeFolder();
+  const shape = (...args) => JSON.parse(succeed(['line', ...args, '--json', '-o', 'line.svg'], { cwd: folder }));
+  const straight = shape('mannequin', '--body-line', 'left_foot-head');
+  assert.equal(straight.shape, 'straight');
+  writeFileSync(join(folder, 'c.svg'), `<svg viewBox="0 0 1024 1024"><path id="left_foot-head" d="M560 930 C 420 760 420 380 600 200"/></svg>`);
+  succeed(['pose', 'mannequin', '--line', 'c.svg', '--limits', 'cartoon', '-o', 'c.glb'], { cwd: folder });
+  const bent = shape('c.glb', '--body-line', 'left_foot-head');
+  assert.equal(bent.shape, 'C');
+  assert.ok(bent.strength > 2 * straight.strength && bent.turn_degrees > 40);
+});
+
+test('a pinned hand stays where it is, or goes where it is said', () => {
+  const folder = folderWithLine('M512 500 C 440 430 440 330 540 230');
+  const place = (file, name) => {
+    const { joints } = JSON.parse(succeed(['info', file, '--json'], { cwd: folder }));
+    return joints.find((j) => j.name === name).rest_position;
+  };
+  const far = (a, b) => Math.hypot(...a.map((v, i) => v - b[i]));
+  posed(folder, '-o', 'free.glb');
+  posed(folder, '--pin', 'leftHand', '-o', 'held.glb');
+  const report = posed(folder, '--pin', 'leftHand', '--pin', 'rightHand=-0.5,1.2,0.2', '-o', 'both.glb');
+  assert.equal(report.status, 'ok');
+  const start = place('mannequin', 'leftHand');
+  assert.ok(far(place('free.glb', 'leftHand'), start) > 0.02, 'a free hand is carried along');
+  assert.ok(far(place('held.glb', 'leftHand'), start) < 2e-4);
+  assert.ok(far(place('both.glb', 'leftHand'), start) < 2e-4);
+  assert.ok(far(place('both.glb', 'rightHand'), [-0.5, 1.2, 0.2]) < 2e-4);
+});
+
+test('alternatives are listed, the likeliest first, and each can be taken', () => {
+  const folder = folderWithLine();
+  const report = posed(folder, '--body-line', 'auto', '--alternatives', '4', '-o', 'one.glb');
+  assert.ok(report.alternatives.length >= 2 && report.alternatives.length <= 4);
+  for (const other of report.alternatives) {
+    assert.ok(other.label && other.body_line && ['forward', 'backward'].includes(other.direction) && Number.isFinite(other.cost));
+  }
+  const next = posed(folder, '--body-line', 'auto', '--alternative', '1', '-o', 'two.glb');
+  assert.equal(next.body_line, report.alternatives[0].body_line);
+  assert.equal(next.direction, report.alternatives[0].direction);
+  assert.notDeepEqual(gltfJson(join(folder, 'one.glb')).nodes, gltfJson(join(folder, 'two.glb')).nodes);
+});
+
+test('exaggeration bends a line more, or not at all', () => {
+  const folder = folderWithLine();
+  const turn = (factor) => {
+    posed(folder, '--body-line', 'left_foot-head', '--limits', 'none', '--exaggerate', factor, '-o', 'out.glb');
+    return JSON.parse(succeed(['line', 'out.glb', '--body-line', 'left_foot-head', '--json', '-o', 'out.svg'], { cwd: folder })).turn_degrees;
+  };
+  const [flat, drawn, more] = ['0', '1', '1.5'].map(turn);
+  assert.ok(flat < 0.5 * drawn && more > 1.1 * drawn, `${flat} ${drawn} ${more}`);
+});
+
+test('limits hold unless they are none, and a rotation matched may break them', () => {
+  const folder = folderWithLine('M512 500 C 430 440 420 330 520 300');
+  for (const limits of ['anatomical', 'dancer', 'cartoon']) {
+    assert.deepEqual(posed(folder, '--limits', limits, '-o', 'out.glb').limit_violations, [], limits);
+  }
+  assert.equal(posed(folder, '--limits', 'none', '-o', 'out.glb').status, 'ok');
+});
+
+test('length policies, what moves and the floor make different poses of one short line', () => {
+  const folder = folderWithLine('M540 900 C 500 800 480 700 500 620');
+  const head = (...args) => {
+    posed(folder, '--body-line', 'left_foot-head', ...args, '-o', 'out.glb');
+    return JSON.stringify(gltfJson(join(folder, 'out.glb')).nodes.map((node) => [node.rotation, node.translation]));
+  };
+  const poses = [head(), head('--length', 'scale'), head('--length', 'extend'), head('--root', 'lock'), head('--no-floor')];
+  assert.equal(new Set(poses).size, poses.length);
+});
+
+test('a sheet has a cell for each character and gesture', () => {
+  const folder = makeFolder();
+  succeed(['sheet', 'snake', 'tree', '--gestures', 'C,S,bow', '--cell', '64', '-o', 'sheet.png'], { cwd: folder });
+  const sheet = readPng(join(folder, 'sheet.png'));
+  assert.deepEqual([sheet.width, sheet.height], [3 * 64 + 4 * 4, 2 * 64 + 3 * 4]);
+});
+
+test('a start may be a pose of the shelf', () => {
+  const folder = makeFolder();
+  succeed(['pose', 'mannequin', '--start', 'relaxed', '-o', 'relaxed.glb'], { cwd: folder });
+  assert.ok(Math.abs(rotationOf(join(folder, 'relaxed.glb'), 'leftUpperArm')[2]) > 0.4);
 });

@@ -39,10 +39,18 @@ function curve(from, heading, length, turn) {
 }
 const shapes = { C: (t) => 1.6 * (t - 0.5), S: (t) => 0.9 * Math.sin(2 * Math.PI * t) };
 
+/** What the solver does not do yet. */
+function todo(rig, letter) {
+  if (/m2m_snake/.test(rig)) return 'its unevenly scaled joints change bone lengths';
+  if (/fox/.test(rig)) return 'the zigzag of its default line is far from the stroke, or does not settle';
+  if (`${rig} ${letter}` === 'gltf/quaternius_man_casual.glb S' || `${rig} ${letter}` === 'bvh/cmu_01_01.bvh C') return 'the descent does not settle';
+  return false;
+}
+
 for (const rig of rigs) {
   const file = dataPath(rig);
   for (const [letter, turn] of Object.entries(shapes)) {
-    test(`${rig} takes a drawn ${letter}`, { skip: file ? false : 'no shared data' }, async () => {
+    test(`${rig} takes a drawn ${letter}`, { skip: file ? false : 'no shared data', todo: todo(rig, letter) }, async () => {
       const folder = makeFolder(), { joints, body_lines, front } = JSON.parse(succeed(['info', file, '--json']));
       const jointOf = (reference) => reference.startsWith('#') ? joints[+reference.slice(1)] : joints.find((j) => j.name === reference);
       const line = body_lines[0].joints.map(jointOf), points = line.map((j) => j.rest_position);
@@ -56,9 +64,11 @@ for (const rig of rigs) {
       const format = extname(file) === '.gltf' ? '.glb' : extname(file);
       const args = ['pose', file, '--line', 'line.svg', '--camera', 'camera.json', '--joints', line.map((j) => `#${j.index}`).join(), '--json'];
       const report = JSON.parse(succeed([...args, '-o', `out${format}`, '--picture', 'out.png'], { cwd: folder }));
-      // Rotation matching promises lengths, not closeness: a locked root and a far line leave it off the stroke.
+      assert.equal(report.status, 'ok');
+      assert.equal(report.direction, 'forward');
       assert.ok(report.bone_length_drift < 1e-6);
-      assert.ok(Number.isFinite(report.fit.mean_px) && Number.isFinite(report.fit.tangent_deg));
+      assert.ok(report.fit.mean_px < 0.08 * length * scale, `${report.fit.mean_px} px off a line of ${length * scale}`);
+      assert.ok(report.fit.tangent_deg < 25, `${report.fit.tangent_deg} degrees off its direction`);
 
       if (format === '.bvh') {
         const hierarchy = (path) => readFileSync(path, 'latin1').split('MOTION')[0];

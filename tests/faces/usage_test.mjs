@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import test from 'node:test';
 import { croquis, faultOf, makeFolder, succeed } from './support.mjs';
 
-const commands = ['pose', 'info', 'render', 'convert', 'character', 'studio'];
+const commands = ['pose', 'line', 'sheet', 'info', 'render', 'convert', 'character', 'studio'];
 const line = '<svg viewBox="0 0 1024 1024"><path d="M512 900 C 300 700 300 400 560 120"/></svg>';
 
 test('--version says name and version', () => {
@@ -65,8 +65,29 @@ const wrong = {
   'an unknown plane': ['pose', 'mannequin', '--line', 'line.svg', '--plane', 'sky', '-o', 'x.glb'],
   'an unknown root mode': ['pose', 'mannequin', '--line', 'line.svg', '--root', 'fly', '-o', 'x.glb'],
   'an unknown direction': ['pose', 'mannequin', '--line', 'line.svg', '--direction', 'up', '-o', 'x.glb'],
+  'limits that are none': ['pose', 'mannequin', '--limits', 'steel', '-o', 'x.glb'],
+  'an unknown length policy': ['pose', 'mannequin', '--line', 'line.svg', '--length', 'long', '-o', 'x.glb'],
+  'an unknown thing to move': ['pose', 'mannequin', '--line', 'line.svg', '--move', 'earth', '-o', 'x.glb'],
+  'an exaggeration out of range': ['pose', 'mannequin', '--line', 'line.svg', '--exaggerate', '3', '-o', 'x.glb'],
+  'an exaggeration that is no number': ['pose', 'mannequin', '--line', 'line.svg', '--exaggerate', 'much', '-o', 'x.glb'],
+  'an exaggeration without a line': ['pose', 'mannequin', '--exaggerate', '1.5', '-o', 'x.glb'],
+  'a pin of no joint': ['pose', 'mannequin', '--line', 'line.svg', '--pin', 'wing', '-o', 'x.glb'],
+  'a pin without a place': ['pose', 'mannequin', '--line', 'line.svg', '--pin', 'leftHand=1,2', '-o', 'x.glb'],
+  'a pin at no number': ['pose', 'mannequin', '--line', 'line.svg', '--pin', 'leftHand=1,nan,3', '-o', 'x.glb'],
+  'too many alternatives': ['pose', 'mannequin', '--line', 'line.svg', '--alternatives', '99', '-o', 'x.glb'],
+  'an alternative that there is not': ['pose', 'mannequin', '--line', 'line.svg', '--alternative', '19', '-o', 'x.glb'],
+  'the method line with a direction by length': ['pose', 'mannequin', '--line', 'line.svg', '--direction', 'length', '-o', 'x.glb'],
+  'a line read into no SVG': ['line', 'mannequin', '-o', 'x.png'],
+  'a line read off no body line': ['line', 'mannequin', '--body-line', 'tail', '-o', 'x.svg'],
+  'a line read off joints that fork': ['line', 'mannequin', '--joints', 'hips,head,leftHand', '-o', 'x.svg'],
+  'a line of no frame': ['line', 'mannequin', '--frame', '3', '-o', 'x.svg'],
+  'a line read without an output': ['line', 'mannequin'],
+  'a sheet of a gesture that there is not': ['sheet', 'snake', '--gestures', 'C,sneeze', '-o', 'x.png'],
+  'a sheet of tiny cells': ['sheet', 'snake', '--cell', '3', '-o', 'x.png'],
+  'a sheet of no rig': ['sheet', 'nowhere.glb', '-o', 'x.png'],
+  'a sheet in no picture': ['sheet', 'snake', '-o', 'x.glb'],
   'an unknown view': ['pose', 'mannequin', '--line', 'line.svg', '--view', 'below', '-o', 'x.glb'],
-  'the ground plane from above': ['pose', 'mannequin', '--line', 'line.svg', '--view', 'top', '--plane', 'ground', '-o', 'x.glb'],
+  'the ground plane from above': ['pose', 'mannequin', '--line', 'line.svg', '--method', 'rotation', '--view', 'top', '--plane', 'ground', '-o', 'x.glb'],
   'a view and a camera': ['pose', 'mannequin', '--view', 'top', '--camera', 'camera.json', '-o', 'x.glb'],
   'a camera that is not there': ['pose', 'mannequin', '--camera', 'nowhere.json', '-o', 'x.glb'],
   'a camera that is none': ['pose', 'mannequin', '--camera', 'line.svg', '-o', 'x.glb'],

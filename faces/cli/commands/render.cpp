@@ -8,11 +8,9 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include <CLI/CLI.hpp>
-
-#include "croquis/base/error.h"
-#include "croquis/edit/frame.h"
 
 namespace croquis::cli {
 namespace {
@@ -41,15 +39,7 @@ void run(const Options& options) {
   Progress progress;
   progress.at("Reading " + options.input);
   Project project = load_project(options.input, options.proportions.proportions);
-  if (options.frame) {
-    Actor& actor = project.actors.front();
-    try {
-      actor.character = std::make_shared<const Character>(character_at_frame(*actor.character, *options.frame));
-    } catch (const Error& error) {
-      throw Error(error.code(), options.input + ": " + error.what());
-    }
-    actor.pose = actor.character->start;
-  }
+  if (options.frame) project = at_frame(std::move(project), *options.frame, options.input);
   progress.at("Rendering " + options.output);
   outputs.add(options.output, picture_of(project.actors, options.view.camera(project.actors), {}, look));
   outputs.write();
