@@ -3,16 +3,17 @@
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 FUZZ_SECONDS ?= 600
 
-.PHONY: help demo build studio test bench bench-lines fuzz pictures format clean
+.PHONY: help demo build studio test bench bench-lines fuzz pictures lint format clean
 help:
 	@echo 'make demo     build the program; pose the mannequin along a drawn line: out/demo.glb and out/demo.png'
 	@echo 'make build    build the program: build/release/croquis'
-	@echo 'make test     build and run every test: native, with sanitizers, as WebAssembly, lint, format, fuzz'
+	@echo 'make test     build and run every test: native, with sanitizers, as WebAssembly, format, fuzz'
 	@echo 'make studio   build the drawing table for the browser and serve it on this machine'
 	@echo 'make bench    build and run the benchmarks'
 	@echo 'make bench-lines  how near the methods of posing come to poses of real people'
 	@echo 'make fuzz     fuzz each reader for FUZZ_SECONDS=$(FUZZ_SECONDS) seconds'
 	@echo 'make pictures draw the pictures of docs/images anew'
+	@echo 'make lint     read every source with clang-tidy'
 	@echo 'make format   lay out every source as .clang-format says'
 	@echo 'make clean    remove build/ and out/'
 
@@ -59,6 +60,11 @@ fuzz:
 pictures: build
 	@cmake --build build/release --target doc_pictures -j $(JOBS)
 	build/release/tools/doc_pictures docs/images
+
+lint:
+	@tools/setup.sh program tests
+	@tools/lint.sh build $(JOBS)
+	@echo 'clang-tidy finds nothing'
 
 format:
 	@tools/setup.sh format

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "croquis/project/character.h"
@@ -19,6 +21,17 @@ struct Proportions {
   double head = 1.0;       ///< head size, 0.7..1.6
   double muscle = 1.0;     ///< thickness of the forms, 0.6..1.6
 };
+
+/// The proportions by the names that people give them.
+inline constexpr std::array<std::pair<const char*, double Proportions::*>, 7> kProportions{{
+    {"heads", &Proportions::heads},
+    {"shoulders", &Proportions::shoulders},
+    {"hips", &Proportions::hips},
+    {"limbs", &Proportions::limbs},
+    {"hands", &Proportions::hands},
+    {"head", &Proportions::head},
+    {"muscle", &Proportions::muscle},
+}};
 
 /// "mannequin", "cat", "snake", "tree".
 [[nodiscard]] std::vector<std::string> builtin_character_names();

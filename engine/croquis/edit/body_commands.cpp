@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "croquis/base/error.h"
+#include "croquis/base/index.h"
 #include "croquis/base/text.h"
 #include "croquis/edit/commands.h"
 #include "croquis/edit/line_setup.h"
@@ -18,9 +19,7 @@ namespace {
 
 using B = HumanoidBone;
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-const Actor& actor_of(const Project& project, int id) { return project.actors[at(actor_index(project, id))]; }
+const Actor& actor_with_id(const Project& project, int id) { return project.actors[at(actor_index(project, id))]; }
 
 void want_joint(const Actor& actor, int joint) {
   if (joint < 0 || joint >= actor.character->skeleton.joint_count()) {
@@ -113,7 +112,7 @@ Pose hold_pins(const Project& project, const Actor& actor, const Pose& before, c
 }
 
 Project drag_joint(const Project& project, int id, int joint, const Vec3& target_model, std::string* status) {
-  const Actor& actor = actor_of(project, id);
+  const Actor& actor = actor_with_id(project, id);
   want_joint(actor, joint);
   if (!target_model.allFinite()) throw_invalid_argument("drag_joint: the target is not finite");
   const Character& character = *actor.character;
@@ -137,7 +136,7 @@ Project drag_joint(const Project& project, int id, int joint, const Vec3& target
 }
 
 Project rotate_joint(const Project& project, int id, int joint, const Quat& turn_model) {
-  const Actor& actor = actor_of(project, id);
+  const Actor& actor = actor_with_id(project, id);
   want_joint(actor, joint);
   const Skeleton& skeleton = actor.character->skeleton;
   Pose pose = turn_joint(skeleton, actor.pose, joint, turn_model);
@@ -153,7 +152,7 @@ Project rotate_joint(const Project& project, int id, int joint, const Quat& turn
 }
 
 Project pin_joint(const Project& project, int id, int joint, bool on, bool with_rotation) {
-  const Actor& actor = actor_of(project, id);
+  const Actor& actor = actor_with_id(project, id);
   want_joint(actor, joint);
   Project next = project;
   std::vector<Pin>& pins = next.actors[at(actor_index(project, id))].pins;
@@ -168,7 +167,7 @@ Project pin_joint(const Project& project, int id, int joint, bool on, bool with_
 }
 
 Project mirror_actor(const Project& project, int id, MirrorSide side) {
-  const Actor& actor = actor_of(project, id);
+  const Actor& actor = actor_with_id(project, id);
   const Character& character = *actor.character;
   const std::vector<int> partners = compute_mirror_map(character.skeleton, character.humanoid);
   return set_pose(project, actor_index(project, id),
@@ -176,13 +175,13 @@ Project mirror_actor(const Project& project, int id, MirrorSide side) {
 }
 
 Project reset_actor(const Project& project, int id, const std::vector<int>& joints, double amount) {
-  const Actor& actor = actor_of(project, id);
+  const Actor& actor = actor_with_id(project, id);
   if (!(amount >= 0.0 && amount <= 1.0)) throw_invalid_argument("reset_actor: wanted an amount from 0 to 1");
   return set_pose(project, actor_index(project, id), blend_pose(actor.pose, actor.character->start, amount, joints));
 }
 
 Project go_to_frame(const Project& project, int id, int clip, int frame) {
-  const Actor& actor = actor_of(project, id);
+  const Actor& actor = actor_with_id(project, id);
   const std::vector<Clip>& clips = actor.character->clips;
   if (clip < 0 || clip >= std::ssize(clips)) throw_invalid_argument("clip " + std::to_string(clip) + " is not there");
   const Clip& chosen = clips[at(clip)];
@@ -191,7 +190,7 @@ Project go_to_frame(const Project& project, int id, int clip, int frame) {
 }
 
 Project apply_pose_text(const Project& project, int id, std::string_view pose, double strength, bool flipped) {
-  const Actor& actor = actor_of(project, id);
+  const Actor& actor = actor_with_id(project, id);
   if (!(strength >= 0.0 && strength <= 1.0)) throw_invalid_argument("apply_pose: wanted a strength from 0 to 1");
   const Character& character = *actor.character;
   Pose goal = read_pose_text(pose, character, actor.pose);

@@ -16,11 +16,6 @@
 namespace croquis {
 namespace {
 
-constexpr std::pair<const char*, double Proportions::*> kProportions[] = {
-    {"heads", &Proportions::heads},  {"shoulders", &Proportions::shoulders}, {"hips", &Proportions::hips},
-    {"limbs", &Proportions::limbs},  {"hands", &Proportions::hands},         {"head", &Proportions::head},
-    {"muscle", &Proportions::muscle}};
-
 const Actor& actor_of(const Project& project, int actor) {
   if (actor < 0 || actor >= std::ssize(project.actors)) {
     throw_invalid_argument("actor " + std::to_string(actor) + ": the project has " +

@@ -13,7 +13,7 @@
 namespace croquis {
 namespace {
 
-const Actor& actor_of(const Project& project, const PlacedStroke& stroke) {
+const Actor& actor_drawn_on(const Project& project, const PlacedStroke& stroke) {
   if (stroke.actor < 0 || stroke.actor >= std::ssize(project.actors)) {
     throw_invalid_argument("the stroke is for character " + std::to_string(stroke.actor) + ", which is not there");
   }
@@ -25,7 +25,7 @@ bool is_open(const StrokeSettings& settings) { return settings.body_line == "aut
 /// The candidates for a stroke among `lines`, of `solved` that are solved, the wanted direction alone if one is said.
 std::vector<LineCandidate> rank(const Project& project, const PlacedStroke& stroke, const std::vector<BodyLine>& lines,
                                 int solved) {
-  const Actor& actor = actor_of(project, stroke);
+  const Actor& actor = actor_drawn_on(project, stroke);
   const Character& character = *actor.character;
   StrokeSettings settings = stroke.settings;
   if (!is_line_method(settings)) settings = {};
@@ -57,7 +57,7 @@ StrokeReading reading_of(const StrokeSettings& settings, const BodyLine& line, b
 
 /// The readings of a stroke whose line is known: both ways round; of a matching method, as its own rule has it.
 std::vector<StrokeReading> read_known_line(const Project& project, const PlacedStroke& stroke) {
-  const Character& character = *actor_of(project, stroke).character;
+  const Character& character = *actor_drawn_on(project, stroke).character;
   const LineChoice choice = choose_line(character, stroke.settings);
   StrokeReading first{choice.line.name, choice.line, true, 0.0, stroke.settings};
   first.settings.alternative = 0;
@@ -78,7 +78,7 @@ void add_depths(const Project& project, const PlacedStroke& stroke, std::vector<
   constexpr int kMostDepths = 3;
   if (readings.empty() || readings.front().line.joints.empty() || !is_line_method(stroke.settings)) return;
   const StrokeReading first = readings.front();
-  const Actor& actor = actor_of(project, stroke);
+  const Actor& actor = actor_drawn_on(project, stroke);
   PlacedStroke read = stroke;
   read.settings = first.settings;
   const std::vector<LineSolverResult> depths = solve_alternatives(
@@ -108,7 +108,7 @@ bool share_a_bone(const BodyLine& a, const BodyLine& b) {
 }  // namespace
 
 std::vector<StrokeReading> readings_of(const Project& project, const PlacedStroke& stroke, int most) {
-  const Character& character = *actor_of(project, stroke).character;
+  const Character& character = *actor_drawn_on(project, stroke).character;
   stroke.camera.check();
   check_stroke(stroke.stroke, stroke.camera);
   std::vector<StrokeReading> readings;
@@ -128,7 +128,7 @@ std::vector<StrokeReading> readings_of(const Project& project, const PlacedStrok
 
 std::vector<PlacedStroke> assign_body_lines(const Project& project, std::vector<PlacedStroke> strokes) {
   if (strokes.empty()) return strokes;
-  const Character& character = *actor_of(project, strokes.front()).character;
+  const Character& character = *actor_drawn_on(project, strokes.front()).character;
   const std::vector<BodyLine> lines = standard_body_lines(character.skeleton, character.humanoid);
   std::vector<BodyLine> taken;
   std::vector<std::size_t> open;

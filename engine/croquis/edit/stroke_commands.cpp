@@ -7,14 +7,13 @@
 #include <utility>
 
 #include "croquis/base/error.h"
+#include "croquis/base/index.h"
 #include "croquis/edit/line_choice.h"
 #include "croquis/edit/line_setup.h"
 #include "croquis/edit/readings.h"
 
 namespace croquis {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 bool same_samples(const std::vector<StrokeSample>& a, const std::vector<StrokeSample>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),

@@ -43,14 +43,6 @@ std::vector<int> indices(const Json& value, const std::string& place) {
   return list;
 }
 
-const std::array<std::pair<const char*, double Proportions::*>, 7> kProportions{{{"heads", &Proportions::heads},
-                                                                                 {"shoulders", &Proportions::shoulders},
-                                                                                 {"hips", &Proportions::hips},
-                                                                                 {"limbs", &Proportions::limbs},
-                                                                                 {"hands", &Proportions::hands},
-                                                                                 {"head", &Proportions::head},
-                                                                                 {"muscle", &Proportions::muscle}}};
-
 const std::array<std::pair<const char*, std::string StrokeSettings::*>, 7> kWords{
     {{"method", &StrokeSettings::method},
      {"body_line", &StrokeSettings::body_line},

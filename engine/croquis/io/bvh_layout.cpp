@@ -3,14 +3,13 @@
 
 #include <algorithm>
 
+#include "croquis/base/index.h"
 #include "croquis/base/text.h"
 #include "croquis/io/bvh_motion.h"
 #include "croquis/io/unique_names.h"
 
 namespace croquis {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// The layout of a BVH source; without nodes if the skeleton is no longer the file's.
 BvhLayout source_layout(const Character& character) {

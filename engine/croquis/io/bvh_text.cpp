@@ -14,9 +14,9 @@ namespace croquis {
 namespace {
 
 constexpr int kMostNodes = 65536;
-constexpr double kLargest = 1e12;  // sums of such numbers along a skeleton stay finite
+constexpr double kLargestNumber = 1e12;  // sums of such numbers along a skeleton stay finite
 
-bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v'; }
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v'; }
 bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
 /// The words of the file with their lines. A brace is a word of its own only where words of the hierarchy are read.
@@ -37,7 +37,7 @@ class Words {
     if (position_ < text_.size() && is_brace(text_[position_])) {
       ++position_;
     } else {
-      while (position_ < text_.size() && !is_space(text_[position_]) && !is_brace(text_[position_])) ++position_;
+      while (position_ < text_.size() && !is_blank(text_[position_]) && !is_brace(text_[position_])) ++position_;
     }
     word_begin_ = begin;
     return text_.substr(begin, position_ - begin);
@@ -70,8 +70,8 @@ class Words {
   std::string_view name() {
     const std::size_t begin = position_;
     while (position_ < text_.size() && !is_line_end(text_[position_])) {
-      const bool opens = text_[position_] == '{' && position_ > 0 && is_space(text_[position_ - 1]) &&
-                         (position_ + 1 == text_.size() || is_space(text_[position_ + 1]));
+      const bool opens = text_[position_] == '{' && position_ > 0 && is_blank(text_[position_ - 1]) &&
+                         (position_ + 1 == text_.size() || is_blank(text_[position_ + 1]));
       if (opens) break;
       ++position_;
     }
@@ -81,7 +81,7 @@ class Words {
  private:
   static bool is_brace(char c) { return c == '{' || c == '}'; }
   void skip_spaces() {
-    for (; position_ < text_.size() && is_space(text_[position_]); ++position_) {
+    for (; position_ < text_.size() && is_blank(text_[position_]); ++position_) {
       const char c = text_[position_];
       const bool before_newline = position_ + 1 < text_.size() && text_[position_ + 1] == '\n';
       if (c == '\n' || (c == '\r' && !before_newline)) ++line_;
@@ -124,7 +124,7 @@ class Parser {
   [[nodiscard]] double number(std::string_view word, std::string_view what) const {
     const auto value = parse_double(word);
     if (!value) fail("got " + shown(word) + ", wanted a number for " + std::string(what));
-    if (std::abs(*value) > kLargest) fail(shown(word) + " is too large for " + std::string(what));
+    if (std::abs(*value) > kLargestNumber) fail(shown(word) + " is too large for " + std::string(what));
     return *value;
   }
 
@@ -228,7 +228,7 @@ class Parser {
     header("Frame Time");
     const std::string_view time = words_.rest_of_line();
     const auto seconds = parse_double(time);
-    if (!seconds || std::abs(*seconds) > kLargest) fail("got " + shown(time) + ", wanted the seconds of a frame");
+    if (!seconds || std::abs(*seconds) > kLargestNumber) fail("got " + shown(time) + ", wanted the seconds of a frame");
     file_.frame_time = *seconds;
     file_.frame_time_text = time;
     rows(announced);

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "croquis/base/error.h"
+#include "croquis/base/index.h"
 #include "croquis/base/text.h"
 #include "croquis/io/bvh.h"
 #include "croquis/io/bvh_layout.h"
@@ -15,8 +16,6 @@
 
 namespace croquis {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// Where a joint stands and how far it has turned since rest, in the world's axes.
 struct Stand {

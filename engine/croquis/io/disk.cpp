@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kLargest = std::uintmax_t{2} << 30U;
+constexpr std::uintmax_t kLargestFile = std::uintmax_t{2} << 30U;
 
 [[noreturn]] void throw_io(const fs::path& path, const std::string& what) {
   throw Error(ErrorCode::io, "'" + printable(path.string(), 400) + "' " + what);
@@ -41,12 +41,12 @@ Bytes read_file(const fs::path& path) {
   constexpr std::size_t kPiece = std::size_t{1} << 20U;
   if (fs::is_regular_file(status)) {
     const std::uintmax_t size = fs::file_size(path, error);
-    if (!error && size > kLargest) throw_io(path, "is larger than 2 GiB");
+    if (!error && size > kLargestFile) throw_io(path, "is larger than 2 GiB");
     if (!error) bytes.reserve(static_cast<std::size_t>(size) + 1);
   }
   while (file) {
     const std::size_t had = bytes.size();
-    if (had > kLargest) throw_io(path, "is larger than 2 GiB");
+    if (had > kLargestFile) throw_io(path, "is larger than 2 GiB");
     bytes.resize(had + std::min(kPiece, std::max<std::size_t>(bytes.capacity() - had, 4096)));
     file.read(reinterpret_cast<char*>(bytes.data() + had), static_cast<std::streamsize>(bytes.size() - had));
     bytes.resize(had + static_cast<std::size_t>(file.gcount()));

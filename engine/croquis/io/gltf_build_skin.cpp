@@ -44,7 +44,7 @@ void SkinBuilder::add_bones(const std::vector<int>& node_of_joint) {
   if (joints.size() > 1) (void)add_palette(std::move(joints), std::move(inverse_bind), node_of_joint);
 }
 
-int SkinBuilder::add_palette(std::vector<int> joints, std::vector<Affine> inverse_bind,
+int SkinBuilder::add_palette(const std::vector<int>& joints, const std::vector<Affine>& inverse_bind,
                              const std::vector<int>& node_of_joint) {
   std::vector<float> numbers;
   for (const Affine& affine : inverse_bind) {

@@ -21,7 +21,8 @@ class SkinBuilder {
   [[nodiscard]] bool any() const { return !skins_.empty(); }
 
  private:
-  int add_palette(std::vector<int> joints, std::vector<Affine> inverse_bind, const std::vector<int>& node_of_joint);
+  int add_palette(const std::vector<int>& joints, const std::vector<Affine>& inverse_bind,
+                  const std::vector<int>& node_of_joint);
 
   GltfEditor& editor_;
   const Character& character_;

@@ -54,10 +54,11 @@ std::vector<float> values_of(const Curve& curve) {
 }
 
 Curve make_key(CurveTarget target, int joint, std::vector<double> values) {
+  const int width = static_cast<int>(values.size());
   return {.target = target,
           .joint = joint,
           .interpolation = Interpolation::linear,
-          .width = static_cast<int>(values.size()),
+          .width = width,
           .times = {0.0},
           .values = std::move(values)};
 }

@@ -137,7 +137,7 @@ void open_buffer(GltfDocument& document, int index) {
   document.buffer_faults.push_back(fault);
 }
 
-GltfDocument open_source(std::shared_ptr<SourceFile> source, const ResourceReader& resources) {
+GltfDocument open_source(const std::shared_ptr<SourceFile>& source, const ResourceReader& resources) {
   GltfDocument document;
   document.source = source;
   document.is_glb = is_glb(source->bytes);
@@ -198,7 +198,7 @@ GltfDocument open_gltf(std::span<const std::byte> bytes, std::string_view file_n
   return open_source(std::move(source), resources);
 }
 
-GltfDocument open_gltf(std::shared_ptr<const SourceFile> source) {
+GltfDocument open_gltf(const std::shared_ptr<const SourceFile>& source) {
   const auto copy = std::make_shared<SourceFile>(*source);
   return open_source(
       copy, [](std::string_view uri) -> Bytes { throw Error(ErrorCode::io, "'" + printable(uri) + "' is not there"); });

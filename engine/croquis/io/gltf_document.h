@@ -51,7 +51,7 @@ struct GltfDocument {
 [[nodiscard]] GltfDocument open_gltf(std::span<const std::byte> bytes, std::string_view file_name,
                                      const ResourceReader& resources);
 /// The same from a source that was read before.
-[[nodiscard]] GltfDocument open_gltf(std::shared_ptr<const SourceFile> source);
+[[nodiscard]] GltfDocument open_gltf(const std::shared_ptr<const SourceFile>& source);
 
 /// The encoded bytes of an image: from its buffer view, data URI or file. Null if they are not there.
 [[nodiscard]] std::shared_ptr<const Bytes> read_image(const GltfDocument& document, int image);

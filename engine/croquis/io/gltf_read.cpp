@@ -96,7 +96,7 @@ Vec3 find_front(const Character& character, VrmKind kind) {
   return compute_facing(character.humanoid, compute_positions(character.skeleton, character.start));
 }
 
-Character read_opened(GltfDocument document, std::string_view file_name) {
+Character read_opened(const GltfDocument& document, std::string_view file_name) {
   std::vector<std::string> oddities = document.oddities;
   const GltfNodes nodes = read_nodes(document);
   const VrmInfo vrm = read_vrm(document, oddities);

@@ -11,7 +11,7 @@
 namespace croquis {
 namespace {
 
-constexpr int kDeepest = 256;
+constexpr int kDeepestJson = 256;
 constexpr int kMostMembers = 20000;
 
 /// Nesting and members per object, counted before anything is built: printing recurses, and looking a member up is
@@ -34,7 +34,7 @@ void check_measure(std::string_view text) {
         break;
       case '{':
       case '[':
-        if (std::ssize(members) >= kDeepest) throw_bad_file("byte " + std::to_string(i), "nested too deep");
+        if (std::ssize(members) >= kDeepestJson) throw_bad_file("byte " + std::to_string(i), "nested too deep");
         members.push_back(0);
         break;
       case '}':

@@ -9,14 +9,13 @@
 
 #include "croquis/base/error.h"
 #include "croquis/base/text.h"
+#include "croquis/io/ascii.h"
 
 namespace croquis {
 namespace {
 
-constexpr double kLargest = 1e12;
+constexpr double kLargestCoordinate = 1e12;
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// Collects the points of subpaths in pixels.
@@ -77,7 +76,7 @@ class Flattener {
   }
 
   void add(const Vec2& point) {
-    if (!point.allFinite() || point.cwiseAbs().maxCoeff() > kLargest)
+    if (!point.allFinite() || point.cwiseAbs().maxCoeff() > kLargestCoordinate)
       throw_bad_file(place_, "a point beyond all bounds");
     if (left_-- == 0) throw_bad_file(place_, "too many points");
     subpaths_.back().push_back(point);
@@ -239,7 +238,7 @@ double SvgNumbers::number() {
       end = mantissa;  // the "e" of "em" is no exponent
   }
   const auto value = parse_double(text_.substr(position_, end - position_));
-  if (!value || std::abs(*value) > kLargest) {
+  if (!value || std::abs(*value) > kLargestCoordinate) {
     const std::string_view shown = text_.substr(position_, std::max<std::size_t>(end - position_, 1));
     fail(shown.empty() ? "wanted a number" : "got '" + printable(shown, 20) + "', wanted a number");
   }

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "croquis/base/text.h"
+#include "croquis/io/ascii.h"
 
 namespace croquis {
 namespace {
@@ -27,9 +28,6 @@ int hex_value(char c) {
          : c >= 'A' && c <= 'F' ? c - 'A' + 10
                                 : -1;
 }
-
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 }  // namespace
 

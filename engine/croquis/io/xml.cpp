@@ -10,7 +10,7 @@
 namespace croquis {
 namespace {
 
-constexpr std::size_t kDeepest = 256;
+constexpr std::size_t kDeepestXml = 256;
 constexpr std::size_t kLongestEntity = 1024;
 constexpr std::size_t kMostExpanded = 1'000'000;
 constexpr std::size_t kMostAttributes = 1024;
@@ -203,7 +203,7 @@ std::string XmlReader::read_value() {
 
 XmlReader::Event XmlReader::read_start() {
   if (open_.empty() && rooted_) fail("a second root element");
-  if (open_.size() == kDeepest) fail("elements more than " + std::to_string(kDeepest) + " deep");
+  if (open_.size() == kDeepestXml) fail("elements more than " + std::to_string(kDeepestXml) + " deep");
   ++position_;
   const std::string_view full_name = read_name();
   for (;;) {

@@ -64,12 +64,12 @@ void blur(Grid& grid, double sigma) {
   }
 }
 
+}  // namespace
+
 float smooth_step(float low, float high, float value) {
   const float t = std::clamp((value - low) / (high - low), 0.0F, 1.0F);
   return t * t * (3.0F - 2.0F * t);
 }
-
-}  // namespace
 
 Vec3 key_light_direction(const Camera& camera) {
   const Affine view = camera.view_from_world();

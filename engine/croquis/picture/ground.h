@@ -34,4 +34,7 @@ class GroundShade {
 /// by a few degrees, so that there is a ground to see; one that looks from below sees none (zero matrix).
 [[nodiscard]] Mat3 ground_from_pixel(const Scene& scene, const Camera& camera);
 
+/// 0 below `low`, 1 above `high`, a cubic with level ends between.
+[[nodiscard]] float smooth_step(float low, float high, float value);
+
 }  // namespace croquis

@@ -203,7 +203,7 @@ Image halve(const Image& image) {
       out[0] = linear_to_srgb(red * share);
       out[1] = linear_to_srgb(green * share);
       out[2] = linear_to_srgb(blue * share);
-      out[3] = static_cast<std::uint8_t>(0.25F * alpha + 0.5F);
+      out[3] = static_cast<std::uint8_t>(std::lround(0.25F * alpha));
     }
   }
   return half;

@@ -13,11 +13,6 @@
 namespace croquis {
 namespace {
 
-float smooth_step(float low, float high, float value) {
-  const float t = std::clamp((value - low) / (high - low), 0.0F, 1.0F);
-  return t * t * (3.0F - 2.0F * t);
-}
-
 /// A number in [0, 1) for a pixel: the ordered dither of 4 x 4 (bayer1973). Random grain looks no better and makes a
 /// PNG twice as large and as slow to write.
 float grain_at(int x, int y) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "croquis/base/error.h"
+#include "croquis/base/index.h"
 #include "croquis/math/rotation.h"
 #include "croquis/posing/pose_edit.h"
 
@@ -13,8 +14,8 @@ namespace {
 
 using Bone = HumanoidBone;
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-std::size_t at(Bone bone) { return static_cast<std::size_t>(bone); }
+std::size_t at(Bone bone) { return croquis::at(static_cast<int>(bone)); }
+using croquis::at;
 
 /// The bone that a bone hangs on in the full humanoid.
 std::optional<Bone> bone_above(Bone bone) {

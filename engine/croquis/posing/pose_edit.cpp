@@ -4,12 +4,11 @@
 #include <cmath>
 
 #include "croquis/base/error.h"
+#include "croquis/base/index.h"
 #include "croquis/math/rotation.h"
 
 namespace croquis {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// The rotation that a mirror makes of q: its axis reflected, its angle turned round.
 Quat reflected(const Quat& q, const Vec3& normal) {

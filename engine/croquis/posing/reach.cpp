@@ -9,14 +9,13 @@
 #include <Eigen/Cholesky>
 
 #include "croquis/base/error.h"
+#include "croquis/base/index.h"
 #include "croquis/base/text.h"
 #include "croquis/math/rotation.h"
 #include "croquis/posing/pose_edit.h"
 
 namespace croquis {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 double largest_distance(const std::vector<Affine>& model, std::span<const ReachGoal> goals, int* worst = nullptr) {
   double largest = 0.0;

@@ -30,8 +30,10 @@ constexpr Range kUpperLeg = {-30, 130, -60, 30, -50, 45};
 constexpr Range kLowerLeg = {-5, 150, -3, 3, -10, 10, true};
 constexpr Range kFoot = {-60, 25, -20, 20, -35, 20};
 constexpr Range kToes = {-40, 80, -5, 5, -5, 5, true};
-constexpr Range kFinger[3] = {{-30, 90, -20, 20, -5, 5}, {-10, 110, -3, 3, -3, 3, true}, {-10, 85, -3, 3, -3, 3, true}};
-constexpr Range kThumb[3] = {{-20, 45, -60, 15, -20, 20}, {-10, 60, -10, 10, -5, 5}, {-15, 85, -3, 3, -3, 3, true}};
+constexpr Range kFingerRanges[3] = {
+    {-30, 90, -20, 20, -5, 5}, {-10, 110, -3, 3, -3, 3, true}, {-10, 85, -3, 3, -3, 3, true}};
+constexpr Range kThumbRanges[3] = {
+    {-20, 45, -60, 15, -20, 20}, {-10, 60, -10, 10, -5, 5}, {-15, 85, -3, 3, -3, 3, true}};
 constexpr Range kTwistBone = {-2, 2, -2, 2, -45, 45};
 constexpr Range kConnector = {-2, 2, -2, 2, -2, 2};
 constexpr double kWidestSwing = 170.0;
@@ -294,7 +296,7 @@ void LimitMaker::make_fingers(HumanoidBone thumb, int hand, const Vec3& palm_axi
         const Vec3 across = direction(joint, little, Vec3::Zero());
         axis = across.isZero() ? palm_axis : Vec3(along.cross(across));
       }
-      const Range& range = finger == 0 ? kThumb[k] : kFinger[k];
+      const Range& range = finger == 0 ? kThumbRanges[k] : kFingerRanges[k];
       if (!before.isZero() && range.hinge) {
         axis = orthogonal_part(axis, before);
         add(joint, beyond_hinge(axis, along), {before, axis}, range);
