@@ -55,14 +55,24 @@ std::vector<Json*> buffer_references(Json& view) {
   return references;
 }
 
+/// Room for every member that glTF has at the top, so that adding one does not move the others: whoever builds an
+/// element holds references into it while its accessors and views are appended.
+void keep_in_place(Json& document) {
+  Json::object_t& members = document.get_ref<Json::object_t&>();
+  members.reserve(members.size() + 32);
+}
+
 }  // namespace
 
 GltfEditor::GltfEditor() : json_(std::make_unique<Json>(Json::object())) {
+  keep_in_place(*json_);
   (*json_)["asset"] = {{"version", "2.0"}, {"generator", "Croquis"}};
 }
 
 GltfEditor::GltfEditor(const GltfDocument& document)
-    : json_(std::make_unique<Json>(*document.json)), document_(&document) {}
+    : json_(std::make_unique<Json>(*document.json)), document_(&document) {
+  keep_in_place(*json_);
+}
 
 GltfEditor::~GltfEditor() = default;
 
