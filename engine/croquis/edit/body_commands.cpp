@@ -10,6 +10,7 @@
 #include "croquis/edit/commands.h"
 #include "croquis/edit/line_setup.h"
 #include "croquis/edit/pose_text.h"
+#include "croquis/posing/pose_edit.h"
 #include "croquis/posing/reach.h"
 #include "croquis/rig/joint_limits.h"
 #include "croquis/rig/mirror.h"
@@ -27,15 +28,6 @@ void want_joint(const Actor& actor, int joint) {
   }
 }
 
-/// The joint that carries the body: the hips, else the topmost bone.
-int carrying_joint(const Character& character) {
-  if (character.humanoid.has(B::hips)) return character.humanoid.joint(B::hips);
-  for (int i = 0; i < character.skeleton.joint_count(); ++i) {
-    if (!character.skeleton.joint(i).helper) return i;
-  }
-  return 0;
-}
-
 /// Feet within a fiftieth of the body of the lowest joint: they stand.
 std::vector<int> standing_feet(const Character& character, const std::vector<Vec3>& positions) {
   double lowest = positions.front().y();
@@ -51,15 +43,6 @@ std::vector<int> standing_feet(const Character& character, const std::vector<Vec
     }
   }
   return standing;
-}
-
-/// The pose with the carrying joint moved by `offset` (model space).
-Pose carried(const Skeleton& skeleton, const Pose& pose, int joint, const Vec3& target_model) {
-  const int parent = skeleton.parent(joint);
-  const Affine above = parent < 0 ? Affine::Identity() : compute_model_transforms(skeleton, pose)[at(parent)];
-  Pose moved = pose;
-  moved.local[at(joint)].translation = above.inverse() * target_model;
-  return moved;
 }
 
 }  // namespace
@@ -119,8 +102,8 @@ Project drag_joint(const Project& project, int id, int joint, const Vec3& target
   const Skeleton& skeleton = character.skeleton;
   if (status != nullptr) *status = "ok";
   Pose pose;
-  if (joint == carrying_joint(character)) {
-    pose = hold_pins(project, actor, actor.pose, carried(skeleton, actor.pose, joint, target_model), status);
+  if (joint == carrying_joint(skeleton, character.humanoid)) {
+    pose = hold_pins(project, actor, actor.pose, place_joint(skeleton, actor.pose, joint, target_model), status);
   } else {
     const std::vector<int> limb = limb_above(skeleton, character.humanoid, joint);
     const bool keeps_turn =

@@ -2,10 +2,10 @@
 #include "croquis/edit/commands.h"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "croquis/base/error.h"
+#include "croquis/base/stopwatch.h"
 #include "croquis/base/text.h"
 #include "croquis/edit/line_choice.h"
 #include "croquis/edit/line_setup.h"
@@ -16,35 +16,17 @@
 namespace croquis {
 namespace {
 
-const Actor& actor_of(const Project& project, int actor) {
-  if (actor < 0 || actor >= std::ssize(project.actors)) {
-    throw_invalid_argument("actor " + std::to_string(actor) + ": the project has " +
-                           std::to_string(project.actors.size()));
-  }
-  return project.actors[static_cast<std::size_t>(actor)];
-}
-
-bool same_view(const Camera& a, const Camera& b) {
-  return a.projection == b.projection && a.position == b.position && a.target == b.target && a.up == b.up &&
-         a.fov_degrees == b.fov_degrees && a.height == b.height && a.width_px == b.width_px &&
-         a.height_px == b.height_px;
-}
-
 struct Solved {
   Pose pose;
   std::vector<LineReport> reports;
 };
-
-double milliseconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-}
 
 Solved match_in_turn(const Actor& actor, const std::vector<PlacedStroke>& strokes,
                      const std::vector<LineChoice>& choices) {
   Solved solved{actor.pose, {}};
   for (std::size_t i = 0; i < strokes.size(); ++i) {
     const MatchOptions options = match_options(strokes[i].settings);
-    const auto begin = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     MatchResult match = match_line(actor.character->skeleton, solved.pose, choices[i].segments,
                                    clean_stroke(strokes[i].stroke), strokes[i].camera, options);
     solved.pose = std::move(match.pose);
@@ -54,7 +36,7 @@ Solved match_in_turn(const Actor& actor, const std::vector<PlacedStroke>& stroke
     report.forward = match.forward;
     report.fit = match.fit;
     report.bone_length_drift = match.bone_length_drift;
-    report.solve_ms = milliseconds_since(begin);
+    report.solve_ms = watch.milliseconds();
     solved.reports.push_back(std::move(report));
   }
   return solved;
@@ -64,13 +46,13 @@ Solved solve_together(const Project& project, const Actor& actor, const std::vec
                       const std::vector<LineChoice>& choices) {
   const Character& character = *actor.character;
   const LineSolverOptions options = make_solver_options(project, actor, strokes.front().settings);
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   std::vector<LineInput> inputs;
   for (std::size_t i = 0; i < strokes.size(); ++i) {
     if (!is_line_method(strokes[i].settings)) {
       throw_invalid_argument("strokes of the method line cannot be mixed with strokes of another");
     }
-    if (!same_view(strokes[i].camera, strokes.front().camera)) {
+    if (strokes[i].camera != strokes.front().camera) {
       throw_invalid_argument("strokes that are solved together must be drawn in one view");
     }
     if (choices[i].line.joints.empty()) {
@@ -84,7 +66,7 @@ Solved solve_together(const Project& project, const Actor& actor, const std::vec
   std::vector<LineSolverResult> results = solve_alternatives(character.skeleton, character.humanoid, actor.pose, inputs,
                                                              strokes.front().camera, options, depth + 1);
   LineSolverResult result = std::move(results.back());
-  const double spent = milliseconds_since(begin);
+  const double spent = watch.milliseconds();
   Solved solved{std::move(result.pose), {}};
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     LineReport report;
@@ -102,6 +84,14 @@ Solved solve_together(const Project& project, const Actor& actor, const std::vec
 }
 
 }  // namespace
+
+const Actor& actor_at(const Project& project, int actor) {
+  if (actor < 0 || actor >= std::ssize(project.actors)) {
+    throw_invalid_argument("actor " + std::to_string(actor) + ": the project has " +
+                           std::to_string(project.actors.size()));
+  }
+  return project.actors[static_cast<std::size_t>(actor)];
+}
 
 Project add_character(const Project& project, std::shared_ptr<const Character> character) {
   if (!character) throw_invalid_argument("add_character: got no character");
@@ -127,7 +117,7 @@ Project add_builtin_character(const Project& project, const std::string& name, c
 }
 
 Project set_pose(const Project& project, int actor, Pose pose) {
-  (void)actor_of(project, actor);
+  (void)actor_at(project, actor);
   Project next = project;
   next.actors[static_cast<std::size_t>(actor)].pose = std::move(pose);
   next.check();
@@ -137,7 +127,7 @@ Project set_pose(const Project& project, int actor, Pose pose) {
 PosedLines pose_along_lines(const Project& project, const std::vector<PlacedStroke>& given) {
   if (given.empty()) throw_invalid_argument("pose_along_lines: got no stroke");
   const int index = given.front().actor;
-  const Actor& actor = actor_of(project, index);
+  const Actor& actor = actor_at(project, index);
   const Character& character = *actor.character;
   for (const PlacedStroke& stroke : given) {
     if (stroke.actor != index) throw_invalid_argument("pose_along_lines: the strokes are of several actors");

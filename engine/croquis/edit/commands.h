@@ -14,6 +14,9 @@
 /// is.
 namespace croquis {
 
+/// The actor of that index.
+[[nodiscard]] const Actor& actor_at(const Project& project, int actor);
+
 /// Adds a character, standing as it starts.
 [[nodiscard]] Project add_character(const Project& project, std::shared_ptr<const Character> character);
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 #include <utility>
 
 #include "croquis/base/error.h"
+#include "croquis/edit/commands.h"
 #include "croquis/edit/line_choice.h"
 #include "croquis/edit/line_setup.h"
 #include "croquis/math/polyline.h"
@@ -18,31 +18,6 @@ namespace {
 constexpr double kStepPx = 3.0;      // the pen is followed in steps of at least this
 constexpr double kDecides = 0.05;    // part of the body's size after which the line is chosen
 constexpr std::size_t kMost = 4096;  // steps of one stroke
-
-auto words(const StrokeSettings& s) {
-  return std::tie(s.method, s.body_line, s.joints, s.root, s.direction, s.move, s.length, s.exaggerate, s.weight,
-                  s.alternative, s.depth, s.live);
-}
-
-auto words(const TableSettings& s) { return std::tie(s.limits, s.floor, s.balance); }
-
-auto words(const Camera& c) {
-  return std::tie(c.projection, c.position, c.target, c.up, c.fov_degrees, c.height, c.width_px, c.height_px);
-}
-
-bool same_pose(const Pose& a, const Pose& b) {
-  const auto same = [](const Transform& x, const Transform& y) {
-    return x.rotation.coeffs() == y.rotation.coeffs() && x.translation == y.translation && x.scale == y.scale;
-  };
-  return std::equal(a.local.begin(), a.local.end(), b.local.begin(), b.local.end(), same);
-}
-
-bool same_pins(const std::vector<Pin>& a, const std::vector<Pin>& b) {
-  const auto same = [](const Pin& x, const Pin& y) {
-    return x.joint == y.joint && x.position == y.position && x.rotation.has_value() == y.rotation.has_value();
-  };
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
-}
 
 bool same_sample(const StrokeSample& a, const StrokeSample& b) { return a.position == b.position; }
 
@@ -95,7 +70,7 @@ BegunLine choose_begun_line(const Character& character, const Pose& pose, const 
 }
 
 LiveStroke::LiveStroke(const Project& project, const PlacedStroke& stroke) {
-  const Actor& actor = project.actors.at(static_cast<std::size_t>(stroke.actor));
+  const Actor& actor = actor_at(project, stroke.actor);
   character_ = actor.character;
   pins_ = actor.pins;
   table_ = project.settings;
@@ -121,9 +96,8 @@ void LiveStroke::restart() {
 bool LiveStroke::follows(const Project& project, const PlacedStroke& stroke) const {
   if (stroke.actor < 0 || stroke.actor >= std::ssize(project.actors)) return false;
   const Actor& actor = project.actors[static_cast<std::size_t>(stroke.actor)];
-  return actor.character == character_ && words(stroke.settings) == words(settings_) &&
-         words(project.settings) == words(table_) && words(stroke.camera) == words(camera_) &&
-         same_pins(actor.pins, pins_) && same_pose(actor.pose, start_);
+  return actor.character == character_ && stroke.settings == settings_ && project.settings == table_ &&
+         stroke.camera == camera_ && actor.pins == pins_ && actor.pose == start_;
 }
 
 void LiveStroke::begin(const std::vector<Vec2>& points) {

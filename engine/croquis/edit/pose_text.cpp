@@ -10,6 +10,7 @@
 #include "croquis/base/error.h"
 #include "croquis/base/text.h"
 #include "croquis/body/pose_shelf.h"
+#include "croquis/posing/pose_edit.h"
 
 namespace croquis {
 namespace {
@@ -45,15 +46,18 @@ double lowest_joint(const Skeleton& skeleton, const Pose& pose) {
 }
 
 /// The pose with the hips moved up or down until the lowest joint is as low as at rest.
-Pose stand_on_ground(const Character& character, Pose pose) {
+Pose stand_on_ground(const Character& character, const Pose& pose) {
   const Skeleton& skeleton = character.skeleton;
-  const int hips = character.humanoid.joint(HumanoidBone::hips), parent = skeleton.parent(hips);
+  const int hips = character.humanoid.joint(HumanoidBone::hips);
   const double lift = lowest_joint(skeleton, rest_pose(skeleton)) - lowest_joint(skeleton, pose);
-  const std::vector<Affine> model = compute_model_transforms(skeleton, pose);
-  const Affine above = parent < 0 ? Affine::Identity() : model[static_cast<std::size_t>(parent)];
-  const Vec3 place = model[static_cast<std::size_t>(hips)].translation() + lift * Vec3::UnitY();
-  pose.local[static_cast<std::size_t>(hips)].translation = above.inverse() * place;
-  return pose;
+  const Vec3 place = compute_positions(skeleton, pose)[static_cast<std::size_t>(hips)] + lift * Vec3::UnitY();
+  return place_joint(skeleton, pose, hips, place);
+}
+
+Pose take_humanoid_pose(const Character& character, HumanoidPose goal, bool grounded, const Pose& base) {
+  if (grounded) goal.hips_offset = Vec3::Zero();
+  Pose pose = apply_humanoid_pose(character.skeleton, character.humanoid, character.front, goal, base);
+  return grounded ? stand_on_ground(character, pose) : pose;
 }
 
 Pose read_humanoid(const Json& json, const Character& character, const Pose& base) {
@@ -71,9 +75,7 @@ Pose read_humanoid(const Json& json, const Character& character, const Pose& bas
     goal.hips_offset = Vec3(v[0], v[1], v[2]);
   }
   const bool grounded = json.contains("grounded") && json["grounded"] == true;
-  if (grounded) goal.hips_offset = Vec3::Zero();
-  Pose pose = apply_humanoid_pose(character.skeleton, character.humanoid, character.front, goal, base);
-  return grounded ? stand_on_ground(character, std::move(pose)) : pose;
+  return take_humanoid_pose(character, std::move(goal), grounded, base);
 }
 
 }  // namespace
@@ -128,7 +130,7 @@ std::optional<Pose> find_shelf_pose(const Character& character, std::string_view
   };
   for (const ShelfPose& pose : make_pose_shelf()) {
     if (pose.kind != ShelfPose::Kind::body || plain(pose.name) != plain(name)) continue;
-    return read_pose_text(write_pose_text(pose.pose, pose.grounded), character, rest_pose(character.skeleton));
+    return take_humanoid_pose(character, pose.pose, pose.grounded, rest_pose(character.skeleton));
   }
   return std::nullopt;
 }

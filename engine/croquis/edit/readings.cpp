@@ -6,6 +6,7 @@
 
 #include "croquis/base/error.h"
 #include "croquis/base/text.h"
+#include "croquis/edit/commands.h"
 #include "croquis/edit/line_choice.h"
 #include "croquis/edit/line_setup.h"
 #include "croquis/posing/line_ranking.h"
@@ -13,19 +14,12 @@
 namespace croquis {
 namespace {
 
-const Actor& actor_drawn_on(const Project& project, const PlacedStroke& stroke) {
-  if (stroke.actor < 0 || stroke.actor >= std::ssize(project.actors)) {
-    throw_invalid_argument("the stroke is for character " + std::to_string(stroke.actor) + ", which is not there");
-  }
-  return project.actors[static_cast<std::size_t>(stroke.actor)];
-}
-
 bool is_open(const StrokeSettings& settings) { return settings.body_line == "auto" && settings.joints.empty(); }
 
 /// The candidates for a stroke among `lines`, of `solved` that are solved, the wanted direction alone if one is said.
 std::vector<LineCandidate> rank(const Project& project, const PlacedStroke& stroke, const std::vector<BodyLine>& lines,
                                 int solved) {
-  const Actor& actor = actor_drawn_on(project, stroke);
+  const Actor& actor = actor_at(project, stroke.actor);
   const Character& character = *actor.character;
   StrokeSettings settings = stroke.settings;
   if (!is_line_method(settings)) settings = {};
@@ -48,7 +42,7 @@ std::vector<LineCandidate> rank(const Project& project, const PlacedStroke& stro
 }
 
 StrokeReading reading_of(const StrokeSettings& settings, const BodyLine& line, bool forward, double cost) {
-  StrokeReading reading{line.name + (forward ? "" : " (backward)"), line, forward, cost, settings};
+  StrokeReading reading{reading_label(line, forward), line, forward, cost, settings};
   if (is_open(settings)) reading.settings.body_line = line.name;
   reading.settings.direction = forward ? "forward" : "backward";
   reading.settings.alternative = 0;
@@ -57,7 +51,7 @@ StrokeReading reading_of(const StrokeSettings& settings, const BodyLine& line, b
 
 /// The readings of a stroke whose line is known: both ways round; of a matching method, as its own rule has it.
 std::vector<StrokeReading> read_known_line(const Project& project, const PlacedStroke& stroke) {
-  const Character& character = *actor_drawn_on(project, stroke).character;
+  const Character& character = *actor_at(project, stroke.actor).character;
   const LineChoice choice = choose_line(character, stroke.settings);
   StrokeReading first{choice.line.name, choice.line, true, 0.0, stroke.settings};
   first.settings.alternative = 0;
@@ -78,7 +72,7 @@ void add_depths(const Project& project, const PlacedStroke& stroke, std::vector<
   constexpr int kMostDepths = 3;
   if (readings.empty() || readings.front().line.joints.empty() || !is_line_method(stroke.settings)) return;
   const StrokeReading first = readings.front();
-  const Actor& actor = actor_drawn_on(project, stroke);
+  const Actor& actor = actor_at(project, stroke.actor);
   PlacedStroke read = stroke;
   read.settings = first.settings;
   const std::vector<LineSolverResult> depths = solve_alternatives(
@@ -107,8 +101,10 @@ bool share_a_bone(const BodyLine& a, const BodyLine& b) {
 
 }  // namespace
 
+std::string reading_label(const BodyLine& line, bool forward) { return line.name + (forward ? "" : " (backward)"); }
+
 std::vector<StrokeReading> readings_of(const Project& project, const PlacedStroke& stroke, int most) {
-  const Character& character = *actor_drawn_on(project, stroke).character;
+  const Character& character = *actor_at(project, stroke.actor).character;
   stroke.camera.check();
   check_stroke(stroke.stroke, stroke.camera);
   std::vector<StrokeReading> readings;
@@ -128,7 +124,7 @@ std::vector<StrokeReading> readings_of(const Project& project, const PlacedStrok
 
 std::vector<PlacedStroke> assign_body_lines(const Project& project, std::vector<PlacedStroke> strokes) {
   if (strokes.empty()) return strokes;
-  const Character& character = *actor_drawn_on(project, strokes.front()).character;
+  const Character& character = *actor_at(project, strokes.front().actor).character;
   const std::vector<BodyLine> lines = standard_body_lines(character.skeleton, character.humanoid);
   std::vector<BodyLine> taken;
   std::vector<std::size_t> open;

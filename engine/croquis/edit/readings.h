@@ -18,6 +18,9 @@ struct StrokeReading {
   StrokeSettings settings;
 };
 
+/// How a line read that way round is called: "trunk", "trunk (backward)".
+[[nodiscard]] std::string reading_label(const BodyLine& line, bool forward);
+
 /// What a stroke drawn over the pose that its actor holds may mean, likeliest first, at most `most`: the body lines
 /// that it may be meant for (where its settings say body_line "auto" and name no joints; see rank_body_lines), either
 /// way round (where they say direction "auto"), and, of the likeliest, the other depths that the picture leaves open.

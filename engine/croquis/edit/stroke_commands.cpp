@@ -2,12 +2,12 @@
 #include "croquis/edit/stroke_commands.h"
 
 #include <algorithm>
-#include <chrono>
 #include <optional>
 #include <utility>
 
 #include "croquis/base/error.h"
 #include "croquis/base/index.h"
+#include "croquis/base/stopwatch.h"
 #include "croquis/edit/line_choice.h"
 #include "croquis/edit/line_setup.h"
 #include "croquis/edit/readings.h"
@@ -22,12 +22,12 @@ bool same_samples(const std::vector<StrokeSample>& a, const std::vector<StrokeSa
 
 /// The project with a stroke followed as it was drawn.
 DrawnStroke follow_stroke(const Project& project, const PlacedStroke& stroke, LiveStroke* live) {
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   std::optional<LiveStroke> own;
   if (live == nullptr || !live->follows(project, stroke)) live = &own.emplace(project, stroke);
   const Pose& pose = live->update(stroke.stroke.samples);
   if (live->body_line().joints.empty()) throw_invalid_argument("the line is too short to say what it is for: draw on");
-  const Actor& actor = project.actors[at(stroke.actor)];
+  const Actor& actor = actor_at(project, stroke.actor);
   const Character& character = *actor.character;
   DrawnStroke drawn;
   drawn.project = set_pose(project, stroke.actor, pose);
@@ -36,7 +36,7 @@ DrawnStroke follow_stroke(const Project& project, const PlacedStroke& stroke, Li
   drawn.report.forward = live->forward();
   drawn.report.fit = measure_fit(character.skeleton, pose, drawn.line, clean_stroke(stroke.stroke), stroke.camera);
   drawn.report.limit_violations = find_limit_violations(limits_of(project.settings, character), pose);
-  drawn.report.solve_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  drawn.report.solve_ms = watch.milliseconds();
   PlacedStroke kept = stroke;
   kept.id = drawn.project.next_id++;
   kept.before = actor.pose;
@@ -67,7 +67,7 @@ StrokeReading reading_of(const DrawnStroke& followed, StrokeSettings settings) {
   settings.alternative = settings.depth = 0;
   if (settings.joints.empty()) settings.body_line = followed.line.name;
   settings.direction = forward ? "forward" : "backward";
-  return {followed.line.name + (forward ? "" : " (backward)"), followed.line, forward, 0.0, std::move(settings)};
+  return {reading_label(followed.line, forward), followed.line, forward, 0.0, std::move(settings)};
 }
 
 struct Undrawn {
@@ -87,11 +87,8 @@ Undrawn without_stroke(const Project& project, int index, const DrawHelp& help) 
   const DrawnStroke again = draw_stroke(before.project, stroke, {help.live, false});
   before.forward = again.report.forward;
   const Pose& after = again.project.actors[at(stroke.actor)].pose;
-  const auto same = [](const Transform& a, const Transform& b) {
-    return a.rotation.coeffs() == b.rotation.coeffs() && a.translation == b.translation;
-  };
   for (std::size_t i = 0; i < pose.local.size(); ++i) {
-    if (same(after.local[i], pose.local[i])) pose.local[i] = now.local[i];
+    if (after.local[i] == pose.local[i]) pose.local[i] = now.local[i];
   }
   return before;
 }
@@ -106,9 +103,7 @@ int stroke_index(const Project& project, int id) {
 }
 
 DrawnStroke draw_stroke(const Project& project, const PlacedStroke& stroke, const DrawHelp& help) {
-  if (stroke.actor < 0 || stroke.actor >= std::ssize(project.actors)) {
-    throw_invalid_argument("draw_stroke: there is no such character");
-  }
+  (void)actor_at(project, stroke.actor);
   check_stroke(stroke.stroke, stroke.camera);
   DrawnStroke drawn;
   PlacedStroke pen = stroke;

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "croquis/edit/table.h"
 
-#include <chrono>
 #include <utility>
 
 #include "croquis/base/error.h"
+#include "croquis/base/stopwatch.h"
 #include "croquis/base/text.h"
 #include "croquis/body/pose_shelf.h"
 #include "croquis/edit/body_commands.h"
 #include "croquis/edit/line_choice.h"
 #include "croquis/edit/open_pose.h"
 #include "croquis/edit/pose_text.h"
+#include "croquis/edit/readings.h"
 #include "croquis/edit/table_json.h"
 #include "croquis/io/character_file.h"
 #include "croquis/io/svg.h"
@@ -30,12 +31,7 @@ std::vector<int> moved_actors(const Project& before, const Project& after) {
     for (const Actor& candidate : before.actors) {
       if (candidate.id == actor.id) old = &candidate;
     }
-    bool same = old != nullptr && old->character == actor.character;
-    for (std::size_t i = 0; same && i < actor.pose.local.size(); ++i) {
-      const Transform& a = actor.pose.local[i];
-      const Transform& b = old->pose.local[i];
-      same = a.translation == b.translation && a.rotation.coeffs() == b.rotation.coeffs() && a.scale == b.scale;
-    }
+    const bool same = old != nullptr && old->character == actor.character && old->pose == actor.pose;
     if (!same) moved.push_back(actor.id);
   }
   return moved;
@@ -90,7 +86,7 @@ std::optional<TableChange> Table::follow_pen(std::string_view command_json) {
   const Project& project = history_.current();
   const std::optional<PlacedStroke> stroke = read_draw_command(project, command_json);
   if (!stroke || !is_followed_live(stroke->settings)) return std::nullopt;
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   if (!live_ || !live_->follows(project, *stroke)) live_ = std::make_shared<LiveStroke>(project, *stroke);
   TableChange change;
   change.project = set_pose(project, stroke->actor, live_->update(stroke->stroke.samples));
@@ -99,8 +95,8 @@ std::optional<TableChange> Table::follow_pen(std::string_view command_json) {
   line.line = live_->body_line();
   line.report.body_line = line.line.name;
   line.report.forward = live_->forward();
-  line.report.solve_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-  line.readings = {line.line.name + (line.report.forward ? "" : " (backward)")};
+  line.report.solve_ms = watch.milliseconds();
+  line.readings = {reading_label(line.line, line.report.forward)};
   change.line = std::move(line);
   return change;
 }

@@ -35,6 +35,7 @@ struct Camera {
   [[nodiscard]] std::optional<Vec2> project(const Vec3& world) const;
   /// Scene units per pixel at the depth of `world` (orthographic: everywhere the same).
   [[nodiscard]] double units_per_pixel(const Vec3& world) const;
+  [[nodiscard]] friend bool operator==(const Camera&, const Camera&) = default;
   /// Unit vector from the camera into the scene through its centre.
   [[nodiscard]] Vec3 forward() const { return (target - position).normalized(); }
   /// The ray through a pixel; `direction` is a unit vector.

@@ -13,6 +13,7 @@ struct Transform {
 
   [[nodiscard]] Affine to_affine() const;
   [[nodiscard]] bool is_finite() const;
+  [[nodiscard]] friend bool operator==(const Transform&, const Transform&) = default;
 };
 
 /// The transform whose affine form is nearest to `affine`; a mirroring comes out as a negative x scale. Shear cannot be

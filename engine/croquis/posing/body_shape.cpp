@@ -30,9 +30,6 @@ double radius_of(HumanoidBone bone) {
     case leftUpperArm:
     case rightUpperArm:
       return 0.023;
-    case leftLowerArm:
-    case rightLowerArm:
-      return 0.018;
     default:
       return 0.018;
   }

@@ -162,10 +162,9 @@ Pose apply_humanoid_pose(const Skeleton& skeleton, const HumanoidMap& humanoid, 
     pose.local[at(joint)].rotation = (parent_model.conjugate() * wanted).normalized();
   }
   if (goal.hips_offset) {
-    const int hips = humanoid.joint(Bone::hips), parent = skeleton.parent(hips);
+    const int hips = humanoid.joint(Bone::hips);
     const Vec3 place = skeleton.rest_position(hips) + body * *goal.hips_offset * hips_height(skeleton, humanoid);
-    const Affine parent_model = parent < 0 ? Affine::Identity() : compute_model_transforms(skeleton, pose)[at(parent)];
-    pose.local[at(hips)].translation = parent_model.inverse() * place;
+    pose = place_joint(skeleton, pose, hips, place);
   }
   return pose;
 }

@@ -32,7 +32,6 @@ Stiffness stiffness_of(JointRole role) {
     case JointRole::hinge:
       return {0.6, 1.5};
     case JointRole::end:
-      return {1.0, 2.0};
     case JointRole::plain:
       return {1.0, 2.0};
   }
@@ -322,12 +321,13 @@ void LineScene::set_stroke(std::size_t index, std::span<const Vec2> stroke, bool
   LinePath& path = problem.paths[index];
   path.importance = heeded_[index][reversed ? 1 : 0];
   path.curve.assign(stroke, pixel_scale_, pixel_offset_, reversed);
-  double reach = 0.0;
+  path.slide_to.assign(path.nodes.size(), 0.0);
   for (std::size_t k = 0; k < path.bones.size(); ++k) {
     const Vec3 middle = 0.5 * (problem.nodes[static_cast<std::size_t>(path.nodes[k])].start +
                                problem.nodes[static_cast<std::size_t>(path.nodes[k + 1])].start);
-    reach += path.bones[k] * problem.magnification(middle);
+    path.slide_to[k + 1] = path.slide_to[k] + path.bones[k] * problem.magnification(middle);
   }
+  const double reach = path.slide_to.back();
   constexpr double kSlack = 1.02;  // a hand is not exact: a little too long is not shrunk
   const double factor = reach / path.curve.length();
   const bool shrinks = length_ != LengthPolicy::trim && factor * kSlack < 1.0;
@@ -341,17 +341,6 @@ void LineScene::set_stroke(std::size_t index, std::span<const Vec2> stroke, bool
   // trim and extend: joints lie as far along as their bones reach, wherever the stroke ends.
   path.hold_last =
       !((length_ == LengthPolicy::trim && factor < 1.0) || (length_ == LengthPolicy::extend && factor > 1.0));
-  path.slide_to.resize(path.nodes.size());
-  if (path.hold_last) return;
-  double along = 0.0;
-  for (std::size_t k = 0; k < path.nodes.size(); ++k) {
-    path.slide_to[k] = along;
-    if (k < path.bones.size()) {
-      const Vec3 middle = 0.5 * (problem.nodes[static_cast<std::size_t>(path.nodes[k])].start +
-                                 problem.nodes[static_cast<std::size_t>(path.nodes[k + 1])].start);
-      along += path.bones[k] * problem.magnification(middle);
-    }
-  }
 }
 
 void LineScene::write_pose(const LineState& state, Pose& pose) const {

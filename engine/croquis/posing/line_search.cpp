@@ -173,17 +173,23 @@ LineSolution LineSearch::solve_one_way() {
   return solution;
 }
 
+LineSolution LineSearch::solve_way(const std::vector<bool>& forward) {
+  set_forward(forward);
+  const auto known =
+      std::find_if(ways_.begin(), ways_.end(), [&](const LineSolution& way) { return way.forward == forward; });
+  return known != ways_.end() ? *known : ways_.emplace_back(solve_one_way());
+}
+
 LineSolution LineSearch::best() {
-  LineSolution best = solve_one_way();
+  LineSolution best = solve_way(forward_);
   for (std::size_t i = 0; i < inputs_.size(); ++i) {
     if (inputs_[i].direction != LineInput::Direction::automatic) continue;
-    std::vector<bool> turned = forward_;
+    std::vector<bool> turned = best.forward;
     turned[i] = !turned[i];
-    set_forward(turned);
-    LineSolution other = solve_one_way();
+    LineSolution other = solve_way(turned);
     if (other.cost < best.cost) best = std::move(other);
-    set_forward(best.forward);
   }
+  set_forward(best.forward);
   return best;
 }
 
@@ -234,8 +240,7 @@ std::vector<LineSolution> LineSearch::others(const LineSolution& best) {
     if (inputs_[i].direction != LineInput::Direction::automatic) continue;
     std::vector<bool> turned = best.forward;
     turned[i] = !turned[i];
-    set_forward(turned);
-    found.push_back(solve_one_way());
+    found.push_back(solve_way(turned));
   }
   set_forward(best.forward);
   for (const auto& guess : depth_guesses(best.state)) {

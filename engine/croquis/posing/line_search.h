@@ -33,6 +33,7 @@ class LineSearch {
   void set_forward(const std::vector<bool>& forward);
   [[nodiscard]] LineSolution descend(LineState start);
   [[nodiscard]] LineSolution solve_one_way();
+  [[nodiscard]] LineSolution solve_way(const std::vector<bool>& forward);
   void judge(LineSolution& solution) const;
   void bend_pinned_hinges(LineState& state) const;
   [[nodiscard]] std::vector<std::vector<std::vector<int>>> depth_guesses(const LineState& state) const;
@@ -42,6 +43,7 @@ class LineSearch {
   int iterations_;
   LineDescent descent_;
   std::vector<bool> forward_;
+  std::vector<LineSolution> ways_;  ///< solved already, each with its directions
 };
 
 }  // namespace croquis

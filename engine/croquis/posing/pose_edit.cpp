@@ -17,15 +17,6 @@ Quat reflected(const Quat& q, const Vec3& normal) {
   return {q.w(), axial.x(), axial.y(), axial.z()};
 }
 
-/// The joint whose heading is the body's: the hips, else the topmost bone.
-int heading_joint(const Skeleton& skeleton, const HumanoidMap& humanoid) {
-  if (humanoid.has(HumanoidBone::hips)) return humanoid.joint(HumanoidBone::hips);
-  for (int i = 0; i < skeleton.joint_count(); ++i) {
-    if (!skeleton.joint(i).helper) return i;
-  }
-  return 0;
-}
-
 /// The turn about the vertical that takes the heading at rest to the heading after `turn`. A body that lies on its
 /// back or belly has none of its own: then its up axis shows where it points.
 Quat heading_of(const Quat& turn, const Vec3& front) {
@@ -41,6 +32,14 @@ Quat heading_of(const Quat& turn, const Vec3& front) {
 }
 
 }  // namespace
+
+int carrying_joint(const Skeleton& skeleton, const HumanoidMap& humanoid) {
+  if (humanoid.has(HumanoidBone::hips)) return humanoid.joint(HumanoidBone::hips);
+  for (int i = 0; i < skeleton.joint_count(); ++i) {
+    if (!skeleton.joint(i).helper) return i;
+  }
+  return 0;
+}
 
 std::vector<Quat> compute_model_rotations(const Skeleton& skeleton, const Pose& pose) {
   std::vector<Quat> model;
@@ -61,7 +60,7 @@ Pose mirror_pose(const Skeleton& skeleton, const HumanoidMap& humanoid, const st
   const Pose rest = rest_pose(skeleton);
   const std::vector<Quat> rest_model = compute_model_rotations(skeleton, rest);
   const std::vector<Quat> pose_model = compute_model_rotations(skeleton, pose);
-  const int centre = heading_joint(skeleton, humanoid);
+  const int centre = carrying_joint(skeleton, humanoid);
   const Quat heading = heading_of(pose_model[at(centre)] * rest_model[at(centre)].conjugate(), front);
   const Vec3 left = Vec3::UnitY().cross(front).normalized();
 
@@ -121,6 +120,14 @@ Pose turn_joint(const Skeleton& skeleton, const Pose& pose, int joint, const Qua
   Quat& local = turned.local[at(joint)].rotation;
   local = (parent_model.conjugate() * turn_model.normalized() * parent_model * local).normalized();
   return turned;
+}
+
+Pose place_joint(const Skeleton& skeleton, const Pose& pose, int joint, const Vec3& position) {
+  const int parent = skeleton.parent(joint);
+  const Affine above = parent < 0 ? Affine::Identity() : compute_model_transforms(skeleton, pose)[at(parent)];
+  Pose moved = pose;
+  moved.local[at(joint)].translation = above.inverse() * position;
+  return moved;
 }
 
 }  // namespace croquis

@@ -31,6 +31,12 @@ enum class MirrorSide {
 /// `pose` with one joint, and all that hangs on it, turned by `turn_model` about the joint's place.
 [[nodiscard]] Pose turn_joint(const Skeleton& skeleton, const Pose& pose, int joint, const Quat& turn_model);
 
+/// `pose` with one joint, and all that hangs on it, moved to `position` (model space).
+[[nodiscard]] Pose place_joint(const Skeleton& skeleton, const Pose& pose, int joint, const Vec3& position);
+
+/// The joint that carries the body, whose heading is the body's: the hips, else the topmost bone.
+[[nodiscard]] int carrying_joint(const Skeleton& skeleton, const HumanoidMap& humanoid);
+
 /// Model-space rotations: the product of the local rotations from the root to each joint (scales left out).
 [[nodiscard]] std::vector<Quat> compute_model_rotations(const Skeleton& skeleton, const Pose& pose);
 

@@ -29,6 +29,8 @@ struct StrokeSettings {
   int alternative = 0;             ///< which reading of the line, 0 the likeliest
   int depth = 0;                   ///< which of the depths that the picture leaves open, 0 the best
   bool live = false;               ///< posed while it was drawn, each sample from the pose before it; else as a whole
+
+  [[nodiscard]] friend bool operator==(const StrokeSettings&, const StrokeSettings&) = default;
 };
 
 /// A stroke in the view it was drawn in, on a character.
@@ -48,6 +50,8 @@ struct Pin {
   int joint = 0;
   Vec3 position = Vec3::Zero();  ///< model space
   std::optional<Quat> rotation;  ///< model space; without it the joint may turn in its place
+
+  [[nodiscard]] friend bool operator==(const Pin&, const Pin&) = default;
 };
 
 /// A character on the table with the pose it holds now.
@@ -66,6 +70,8 @@ struct TableSettings {
   bool floor = true;                  ///< nothing goes below the floor, feet that stand on it stay
   bool balance = false;               ///< the centre of mass stays over the feet
   std::string root = "free";          ///< lock | tangent | free
+
+  [[nodiscard]] friend bool operator==(const TableSettings&, const TableSettings&) = default;
 };
 
 struct NamedPose {

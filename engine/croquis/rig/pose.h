@@ -11,6 +11,8 @@ namespace croquis {
 /// How a body stands: parent_from_joint of every joint, in the skeleton's order. A plain value.
 struct Pose {
   std::vector<Transform> local;
+
+  [[nodiscard]] friend bool operator==(const Pose&, const Pose&) = default;
 };
 
 [[nodiscard]] Pose rest_pose(const Skeleton& skeleton);
