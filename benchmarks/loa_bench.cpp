@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The lines-of-action benchmark: takes poses of motion-capture clips, draws the line that a person would see of them
 // over the clip's neutral pose, and measures how near each method's answer comes to the pose that was meant.
-//   loa_bench --clips DIR [--poses N] [--seed S] [--views N] [--known-line | --unknown-direction | --auto | --live]
-//             [--noise PERCENT] [--json OUT] [--method NAME]
+//   loa_bench --clips DIR [--poses N] [--seed S] [--views N] [--known-line | --unknown-direction | --auto | --live |
+//             --spread] [--noise PERCENT] [--json OUT] [--method NAME]
 #include "loa/draws.h"
 #include "loa/measures.h"
 #include "loa/methods.h"
@@ -24,7 +24,7 @@ namespace {
 struct Arguments {
   std::string clips, json, method;
   DrawOptions draws;
-  bool direction_known = true, find_line = false, live = false;
+  bool direction_known = true, find_line = false, live = false, spread = false;
 };
 
 Arguments parse(int count, char** words) {
@@ -53,6 +53,8 @@ Arguments parse(int count, char** words) {
       arguments.find_line = true;
     else if (word == "--live")
       arguments.live = true;
+    else if (word == "--spread")
+      arguments.spread = true;
     else if (word == "--json")
       arguments.json = next();
     else if (word == "--method")
@@ -135,6 +137,8 @@ int main_of(int count, char** words) {
     print_line_trial(set, report);
   } else if (arguments.live) {
     print_live_trial(set, report);
+  } else if (arguments.spread) {
+    print_spreads(set, report);
   } else {
     print_truths(set, report);
     print_methods(arguments, set, report);

@@ -9,8 +9,10 @@
 #include <map>
 #include <string>
 
+#include "croquis/math/rotation.h"
 #include "croquis/posing/line_ranking.h"
 #include "croquis/posing/live_line.h"
+#include "croquis/posing/turn_prior.h"
 
 namespace croquis::loa {
 namespace {
@@ -50,6 +52,33 @@ void print_truths(const DrawSet& set, nlohmann::ordered_json& report) {
     report["truths_outside"][name] = broken;
   }
   std::printf("\n");
+}
+
+void print_spreads(const DrawSet& set, nlohmann::ordered_json& report) {
+  std::map<HumanoidBone, std::vector<Vec3>> spreads;  // per bone of the left side or the middle: one a clip and side
+  for (const Clip& clip : set.clips) {
+    const Character& character = clip.character;
+    for (const TurnPrior& prior : make_turn_prior(character.skeleton, character.humanoid, clip.neutral)) {
+      const std::optional<HumanoidBone> bone = character.humanoid.bone_of(prior.joint);
+      if (!bone) continue;
+      const auto joint = static_cast<std::size_t>(prior.joint);
+      const Quat neutral = clip.neutral.local[joint].rotation;
+      Vec3 sum = Vec3::Zero();
+      for (const Pose& pose : clip.poses) {
+        const Vec3 turn = rotation_to_vector((pose.local[joint].rotation * neutral.conjugate()).normalized());
+        sum += ((neutral * prior.frame).conjugate() * turn).cwiseAbs2();
+      }
+      spreads[std::min(*bone, mirror(*bone))].push_back((sum / static_cast<double>(clip.poses.size())).cwiseSqrt());
+    }
+  }
+  std::printf("root mean square turn from the neutral frame, radians: flexion, across, along the bone\n");
+  for (const auto& [bone, list] : spreads) {
+    Vec3 mean = Vec3::Zero();
+    for (const Vec3& spread : list) mean += spread / static_cast<double>(list.size());
+    const std::string name(to_string(bone));
+    std::printf("  %-24s %.3f %.3f %.3f\n", name.c_str(), mean.x(), mean.y(), mean.z());
+    report["spread"][name] = {mean.x(), mean.y(), mean.z()};
+  }
 }
 
 void print_line_trial(const DrawSet& set, nlohmann::ordered_json& report) {

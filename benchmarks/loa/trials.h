@@ -15,6 +15,9 @@ namespace croquis::loa {
 
 /// How many of the true poses exceed each preset.
 void print_truths(const DrawSet& set, nlohmann::ordered_json& report);
+/// How far the people of the clips turn their joints, as TurnPrior states it: left and right together, root mean square
+/// over the poses of a clip, mean over the clips.
+void print_spreads(const DrawSet& set, nlohmann::ordered_json& report);
 /// How often the body line that a stroke is meant for is found.
 void print_line_trial(const DrawSet& set, nlohmann::ordered_json& report);
 /// The stroke drawn point by point: how far joints turn per pixel of the pen, how long an update takes, and how near

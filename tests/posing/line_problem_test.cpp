@@ -81,6 +81,43 @@ TEST(LineProblem, SlopesAgreeWithDifferences) {
   }
 }
 
+/// With joints told where they lie on the stroke, seen without perspective and free of what turning costs, all that is
+/// left of the energy's second derivative is J'J and `circling`.
+TEST(LineProblem, CirclingIsWhatTheNormalMatrixLeavesOut) {
+  Random random(15);
+  for (int round = 0; round < 8; ++round) {
+    const Skeleton skeleton = make_test_humanoid(random.bits() | 1U);
+    const LineInput line{{"", skeleton.path(skeleton.resolve("leftFoot"), skeleton.resolve("rightHand"))}, s_curve()};
+    LineSolverOptions options;
+    options.avoid_overlap = false;
+    options.weights.turn = options.weights.share = 0.0;
+    options.weights.pin = 2.0;
+    LineScene scene(skeleton, {}, random_pose(skeleton, random, 0.3), {line},
+                    camera_of(Camera::Projection::orthographic), options);
+    LineProblem& problem = scene.problem;
+    problem.paths[0].fixed = true;
+    problem.pins.push_back({scene.node_of(skeleton.resolve("leftFoot")), Vec3(0.1, 0.2, 0.3)});
+    problem.finish();
+    const LineState state = problem.start_state();
+    LineState moved = state;
+    LineModel model;
+    problem.prepare(model);
+    problem.linearise(state, model);
+    Eigen::VectorXd step(problem.unknowns());
+    for (int i = 0; i < problem.unknowns(); ++i) step[i] = random.uniform(-1, 1);
+    constexpr double kStep = 1e-4;
+    const auto energy = [&](double factor) {
+      problem.advance(state, factor * step, moved);
+      return problem.energy(moved);
+    };
+    const double second = (energy(kStep) - 2.0 * energy(0.0) + energy(-kStep)) / (kStep * kStep);
+    const Eigen::MatrixXd circling = model.circling.selfadjointView<Eigen::Lower>();
+    const Eigen::MatrixXd normal = model.normal.selfadjointView<Eigen::Lower>();
+    EXPECT_NEAR(step.dot((normal + circling) * step), second, 1e-5 * std::abs(second));
+    EXPECT_GT(std::abs(step.dot(circling * step)), 1e-3 * std::abs(second));
+  }
+}
+
 TEST(LineProblem, ForwardKinematicsOfTheResultAgree) {
   Random random(9);
   const Skeleton skeleton = make_test_humanoid(77);

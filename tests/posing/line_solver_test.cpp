@@ -139,12 +139,31 @@ TEST(LineSolver, ResamplingTheStrokeChangesNextToNothing) {
   const Skeleton skeleton = make_test_humanoid(4);
   const Camera camera;
   const Pose start = rest_pose(skeleton);
-  const auto solved = [&](int count) {
-    return solve_lines(skeleton, {}, start, {{foot_to_head(skeleton), c_curve(230, count)}}, camera).pose;
-  };
-  const Pose usual = solved(96);
-  EXPECT_LT(largest_turn(usual, solved(48)) / kDegree, 0.5);
-  EXPECT_LT(largest_turn(usual, solved(384)) / kDegree, 0.5);
+  for (const HumanoidMap& humanoid : {HumanoidMap{}, recognise_humanoid(skeleton)}) {
+    const auto solved = [&](int count) {
+      return solve_lines(skeleton, humanoid, start, {{foot_to_head(skeleton), c_curve(230, count)}}, camera).pose;
+    };
+    const Pose usual = solved(96);
+    for (const int count : {32, 48, 97, 384}) EXPECT_LT(largest_turn(usual, solved(count)) / kDegree, 0.1) << count;
+  }
+}
+
+TEST(LineSolver, AForeshortenedArmBendsAtItsHinge) {
+  const Skeleton skeleton = make_test_humanoid(3);
+  const HumanoidMap humanoid = recognise_humanoid(skeleton);
+  const Pose start = rest_pose(skeleton);
+  const BodyLine arm{"", skeleton.path(skeleton.resolve("leftUpperArm"), skeleton.resolve("leftHand"))};
+  std::vector<Vec2> points = project_line(skeleton, start, arm, Camera{});
+  for (Vec2& p : points) p = points.front() + 0.7 * (p - points.front());
+  const Pose pose =
+      solve_lines(skeleton, humanoid, start, {{arm, Polyline2(points), LineInput::Direction::forward}}, Camera{}).pose;
+  const int elbow = skeleton.resolve("leftLowerArm");
+  for (const JointLimit& limit : make_joint_limits(skeleton, humanoid, LimitPreset::anatomical)) {
+    if (limit.joint != elbow) continue;
+    const Vec3 bent = limit_coordinates(limit, pose.local[static_cast<std::size_t>(elbow)].rotation);
+    EXPECT_GT(bent.x(), 0.5);
+    EXPECT_LT(std::abs(bent.y()), 0.2 * bent.x());
+  }
 }
 
 TEST(LineSolver, TheSameInputGivesTheSameOutput) {

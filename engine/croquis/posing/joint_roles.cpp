@@ -8,7 +8,15 @@ namespace croquis {
 int find_body_root(const Skeleton& skeleton, const HumanoidMap& humanoid) {
   if (humanoid.has(HumanoidBone::hips)) return humanoid.joint(HumanoidBone::hips);
   int joint = 0;
-  while (skeleton.joint(joint).helper && skeleton.children(joint).size() == 1) joint = skeleton.children(joint).front();
+  const auto only_child = [&](int i) { return skeleton.children(i).size() == 1 ? skeleton.children(i).front() : -1; };
+  while (skeleton.joint(joint).helper && only_child(joint) >= 0) joint = only_child(joint);
+  // Joints of an exporter's own, in one place with what they carry.
+  const auto carries_in_place = [&](int i) {
+    const int child = only_child(i);
+    return child >= 0 && !skeleton.children(child).empty() &&
+           (skeleton.rest_position(child) - skeleton.rest_position(i)).norm() < 1e-6 * skeleton.extent();
+  };
+  while (carries_in_place(joint)) joint = only_child(joint);
   // A ground joint above the body: one child that branches.
   const std::vector<int>& below = skeleton.children(joint);
   if (below.size() == 1 && skeleton.children(below.front()).size() > 1) joint = below.front();

@@ -23,7 +23,7 @@ enum class JointRole {
 [[nodiscard]] std::vector<JointRole> compute_joint_roles(const Skeleton& skeleton, const HumanoidMap& humanoid);
 
 /// The joint that carries the body: a humanoid's hips, else the first joint from which something branches off and that
-/// has nothing but its own ancestors above it; a chain's first joint that is no helper.
+/// has nothing but its own ancestors above it; a chain's first joint that is no helper and has a bone of its own.
 [[nodiscard]] int find_body_root(const Skeleton& skeleton, const HumanoidMap& humanoid);
 
 }  // namespace croquis

@@ -30,8 +30,10 @@ class LineDescent {
   DescentReport minimise(const LineProblem& problem, LineState& state, const DescentOptions& options);
 
  private:
+  void damp(double damping, bool circling);
   [[nodiscard]] double try_step(const LineProblem& problem, const LineState& state, double damping, double most_turn);
   LineModel model_;
+  bool exact_ = false;
   LineState trial_;
   Eigen::MatrixXd damped_;
   Eigen::VectorXd step_;

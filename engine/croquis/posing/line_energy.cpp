@@ -242,6 +242,8 @@ struct LineProblem::ModelSink {
     problem.position_columns(state, node, model.points);
     model.points.leftCols<3>() *= w;
     add_columns(r);
+    const auto at = static_cast<std::size_t>(node);
+    problem.pull(state, problem.nodes[at].parent, state.position[at], w * r, model);
   }
   void turn(const Vec3& r, int node, const Mat3& slope) {
     sum += r.squaredNorm();
@@ -253,7 +255,10 @@ struct LineProblem::ModelSink {
     residual = r;
     model.row.setZero();
   }
-  void slope(const BodyPoint& point, const Vec3& by) { problem.add_point(state, point, by, model.row); }
+  void slope(const BodyPoint& point, const Vec3& by) {
+    problem.add_point(state, point, by, model.row);
+    problem.pull(state, point.node, problem.place(state, point), residual * by, model);
+  }
   void end() {
     model.normal.selfadjointView<Eigen::Lower>().rankUpdate(model.row);
     model.gradient += residual * model.row;
@@ -268,6 +273,8 @@ struct LineProblem::ModelSink {
 void LineProblem::linearise(const LineState& state, LineModel& model) const {
   model.normal.setZero();
   model.gradient.setZero();
+  model.circling.setZero();
+  std::fill(model.pulled.begin(), model.pulled.end(), Mat3::Zero());
   ModelSink sink{*this, state, model};
   for (std::size_t i = 0; i < paths.size(); ++i) {
     for (std::size_t k = 0; k <= paths[i].nodes.size(); ++k) {
@@ -281,7 +288,41 @@ void LineProblem::linearise(const LineState& state, LineModel& model) const {
   visit_turns(state, sink);
   visit_pins(state, sink);
   visit_body(state, sink);
+  add_circling(state, model);
   model.energy = 0.5 * sink.sum;
+}
+
+/// Notes that the energy changes by slope . dx when a point at x that `node` carries moves.
+void LineProblem::pull(const LineState& state, int node, const Vec3& x, const Vec3& slope, LineModel& model) const {
+  for (int i = node; i >= 0; i = nodes[static_cast<std::size_t>(i)].parent) {
+    const auto at = static_cast<std::size_t>(i);
+    if (nodes[at].column < 0) continue;
+    const Vec3 arm = x - state.position[at];
+    model.pulled[at].noalias() += arm * slope.transpose();
+    model.pulled[at].diagonal().array() -= arm.dot(slope);
+  }
+}
+
+/// Second derivatives by two turns: d2x/dw_i dw_j = w_i x (w_j x (x - x_j)) for i above j, or j itself (then
+/// symmetric).
+void LineProblem::add_circling(const LineState& state, LineModel& model) const {
+  const auto frame_above = [&](std::size_t i) {
+    return nodes[i].parent < 0 ? Mat3(Mat3::Identity()) : state.frame[static_cast<std::size_t>(nodes[i].parent)];
+  };
+  for (std::size_t j = 0; j < nodes.size(); ++j) {
+    if (nodes[j].column < 0) continue;
+    const Mat3& pulled = model.pulled[j];
+    const Mat3 frame = frame_above(j);
+    model.circling.block<3, 3>(nodes[j].column, nodes[j].column) =
+        frame.transpose() * (0.5 * (pulled + pulled.transpose())) * frame;
+    const Mat3 seen = pulled * frame;
+    for (int i = nodes[j].parent; i >= 0; i = nodes[static_cast<std::size_t>(i)].parent) {
+      const auto above = static_cast<std::size_t>(i);
+      if (nodes[above].column < 0) continue;
+      model.circling.block<3, 3>(nodes[j].column, nodes[above].column) =
+          (frame_above(above).transpose() * seen).transpose();
+    }
+  }
 }
 
 /// The chain rule from a path's picture coordinates to the unknowns.
@@ -309,6 +350,9 @@ void LineProblem::add_path(const LineState& state, std::size_t index, LineModel&
     model.normal(path.column + k, path.column + k) += model.own[at](3, 3);
     model.gradient.head(bodily).noalias() += points(k) * model.slope[at].head<3>();
     model.gradient[path.column + k] += model.slope[at][3];
+    const auto node = static_cast<std::size_t>(path.nodes[at]);
+    const Vec3 by_place = seen_slope(state.position[node]).transpose() * model.slope[at].head<3>();
+    pull(state, nodes[node].parent, state.position[node], by_place, model);
   }
   model.normal.topLeftCorner(bodily, bodily).triangularView<Eigen::Lower>() +=
       model.points.topLeftCorner(bodily, 3 * joints) * model.weighted.topLeftCorner(bodily, 3 * joints).transpose();

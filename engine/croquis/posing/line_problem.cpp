@@ -129,6 +129,8 @@ void LineProblem::prepare(LineModel& model) const {
   model.next = model.own;
   model.slope.assign(joints + 1, Vec4::Zero());
   model.row.setZero(unknowns_);
+  model.circling = model.normal;
+  model.pulled.assign(nodes.size(), Mat3::Zero());
 }
 
 /// d position/du of a node in the first three columns of `out`.

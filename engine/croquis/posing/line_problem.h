@@ -16,20 +16,20 @@ namespace croquis {
 /// The weights of the line solver's energy; lengths are measured in lengths of the (longest) body line, angles in
 /// radians. docs/algorithms/line_of_action.md gives the formulae.
 struct LineWeights {
-  double position = 1.0;      ///< joints to their points of the stroke
-  double chord = 0.02;        ///< each bone to its chord of the stroke: direction, sense and foreshortening
-  double inner = 0.5;         ///< points inside a bone to the stroke between its joints
-  double depth = 2e-4;        ///< change of a bone's depth, per its length
-  double turn = 3e-4;         ///< turning a joint at all; joints differ by LineNode::stiffness
-  double share = 3e-4;        ///< difference of bend between neighbours of one group, per length
-  double shift = 1e-6;        ///< moving the root in the picture
-  double shift_depth = 0.05;  ///< moving the root toward the camera or away
-  double slide = 0.02;        ///< without a held end: joints to where their bones reach along the stroke
-  double pin = 1e5;           ///< held joints
-  double pin_turn = 1e3;      ///< joints held in a direction
-  double floor = 1e4;         ///< what is below the floor
-  double overlap = 4.0;       ///< limbs inside each other
-  double balance = 1.0;       ///< the middle of the mass beside its support
+  double position = 1.0;       ///< joints to their points of the stroke
+  double chord = 1e-3;         ///< each bone to its chord of the stroke: direction, sense and foreshortening
+  double inner = 0.7;          ///< points inside a bone to the stroke between its joints
+  double depth = 4e-4;         ///< change of a bone's depth, per its length
+  double turn = 1.6e-3;        ///< turning a joint at all; joints differ by LineNode::stiffness
+  double share = 4e-4;         ///< difference of bend between neighbours of one group, per length
+  double shift = 4e-6;         ///< moving the root in the picture
+  double shift_depth = 0.025;  ///< moving the root toward the camera or away
+  double slide = 0.02;         ///< without a held end: joints to where their bones reach along the stroke
+  double pin = 1e5;            ///< held joints
+  double pin_turn = 1e3;       ///< joints held in a direction
+  double floor = 1e4;          ///< what is below the floor
+  double overlap = 4.0;        ///< limbs inside each other
+  double balance = 1.0;        ///< the middle of the mass beside its support
 };
 
 /// A joint of the part of the tree that a line concerns, in view space and problem units.
@@ -90,6 +90,7 @@ struct LineState {
 struct LineModel {
   double energy = 0.0;
   Eigen::MatrixXd normal;    ///< J'J, lower triangle
+  Eigen::MatrixXd circling;  ///< what J'J leaves out because turned points go in circles, lower triangle; indefinite
   Eigen::VectorXd gradient;  ///< J'r
 
   // Inside a path residuals depend on neighbouring joints' y = (picture x, picture y, depth, arc length) alone.
@@ -99,7 +100,8 @@ struct LineModel {
   std::vector<Eigen::Matrix4d> next;  ///< ... and with the joint after it
   std::vector<Vec4> slope;            ///< gradient by y
 
-  Eigen::VectorXd row;  ///< of one residual that points of the body take part in
+  Eigen::VectorXd row;       ///< of one residual that points of the body take part in
+  std::vector<Mat3> pulled;  ///< per node: sum over the points below it of a g' - (a . g) I, a the point seen from it
 };
 
 /// The problem that the line solver solves, free of skeletons and files: a rigid tree in view space (x right, y up, z
@@ -141,7 +143,7 @@ class LineProblem {
   [[nodiscard]] double energy(const LineState& state) const;
   /// The part of it that pins, floor, balance and overlap have.
   [[nodiscard]] double bodily_energy(const LineState& state) const;
-  /// Energy, gradient and Gauss-Newton matrix at a state, into a prepared model.
+  /// Energy, gradient and both matrices at a state, into a prepared model.
   void linearise(const LineState& state, LineModel& model) const;
   /// The residuals one by one with all their slopes (residuals x unknowns), for checks.
   void list_residuals(const LineState& state, Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian) const;
@@ -165,6 +167,8 @@ class LineProblem {
   template <class Sink>
   void visit_balance(const LineState& state, Sink& sink) const;
   void add_path(const LineState& state, std::size_t index, LineModel& model) const;
+  void pull(const LineState& state, int node, const Vec3& x, const Vec3& slope, LineModel& model) const;
+  void add_circling(const LineState& state, LineModel& model) const;
   struct EnergySink;
   struct ModelSink;
   struct RowSink;

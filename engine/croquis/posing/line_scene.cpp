@@ -11,32 +11,38 @@
 #include "croquis/posing/keep_lengths.h"
 #include "croquis/posing/line_limits.h"
 #include "croquis/posing/pose_edit.h"
+#include "croquis/posing/turn_prior.h"
 
 namespace croquis {
 namespace {
 
-/// How hard it is to turn a joint of each role: across its bone, and about it.
+/// How hard it is to turn a joint of each role, where no prior says more: across its bone, and about it.
 struct Stiffness {
   double swing, twist;
 };
 Stiffness stiffness_of(JointRole role) {
   switch (role) {
     case JointRole::root:
-      return {0.5, 1.0};
+      return {0.22, 0.45};
     case JointRole::spine:
-      return {1.5, 2.0};
+      return {0.67, 0.9};
     case JointRole::collar:
-      return {2.5, 3.0};
+      return {1.1, 1.4};
     case JointRole::ball:
-      return {0.6, 1.0};
+      return {0.27, 0.45};
     case JointRole::hinge:
-      return {0.6, 1.5};
+      return {0.27, 0.67};
     case JointRole::end:
     case JointRole::plain:
       return {1.0, 2.0};
   }
   return {1.0, 1.0};
 }
+
+// A person carries the body upright: lines bend it, they hardly tip it over.
+constexpr Stiffness kPersonsRoot = {1.0, 2.0};
+constexpr double kRoll = 4.0;        // twist of the topmost joint of a line, in what is no humanoid
+constexpr double kUsualTurn = 0.15;  // radians: the spread of a joint whose stiffness is 1
 
 /// The orthogonal matrix (perhaps a mirroring) nearest to m.
 Mat3 orthogonal_part(const Mat3& m) {
@@ -106,7 +112,7 @@ std::vector<double> heed(const LineInput& input, const std::vector<double>& bone
 
 LineScene::LineScene(const Skeleton& skeleton, const HumanoidMap& humanoid, const Pose& start,
                      const std::vector<LineInput>& inputs, const Camera& camera, const LineSolverOptions& options)
-    : skeleton_(skeleton), start_(start), length_(options.length) {
+    : skeleton_(skeleton), start_(start), person_(humanoid.is_humanoid()), length_(options.length) {
   check_inputs(skeleton, start, inputs);
   camera.check();
   roles_ = compute_joint_roles(skeleton, humanoid);
@@ -145,6 +151,7 @@ LineScene::LineScene(const Skeleton& skeleton, const HumanoidMap& humanoid, cons
   problem.weights = options.weights;
   add_nodes(inputs, options);
   for (const LineInput& input : inputs) add_path(input);
+  heed_prior(humanoid);
   add_limits(options.limits);
   // The root is always a node: whatever is none moves with the nearest one above.
   carrier_ = node_of_;
@@ -238,8 +245,10 @@ void LineScene::add_path(const LineInput& input) {
   set_stroke(problem.paths.size() - 1, input.stroke.points(), false);
 }
 
-/// Twist about the bone that a joint moves costs more than swing.
+/// Twist about the bone that a joint moves costs more than swing; at the top of a line it would roll the whole body
+/// over.
 void LineScene::set_stiffness(const LinePath& path) {
+  const int top = *std::min_element(path.nodes.begin(), path.nodes.end());
   for (std::size_t k = 0; k < path.nodes.size(); ++k) {
     LineNode& node = problem.nodes[static_cast<std::size_t>(path.nodes[k])];
     if (node.column < 0) continue;
@@ -250,13 +259,31 @@ void LineScene::set_stiffness(const LinePath& path) {
       if (next.parent == path.nodes[k]) along = next.start - node.start - along;
     }
     const double length = along.norm();
-    const Stiffness stiffness = stiffness_of(roles_[static_cast<std::size_t>(node.joint)]);
+    Stiffness stiffness = stiffness_of(roles_[static_cast<std::size_t>(node.joint)]);
+    if (!person_ && path.nodes[k] == top) stiffness.twist = kRoll;
     if (length > 1e-9) {
       const Vec3 axis = along / length;
       node.stiffness =
           stiffness.swing * Mat3::Identity() + (stiffness.twist - stiffness.swing) * axis * axis.transpose();
     }
   }
+}
+
+/// Of a person more is known than what kind of joint it is: how far people turn it, about each of its axes.
+void LineScene::heed_prior(const HumanoidMap& humanoid) {
+  const std::vector<TurnPrior> priors = make_turn_prior(skeleton_, humanoid, start_);
+  for (const TurnPrior& prior : priors) {
+    const int node = node_of(prior.joint);
+    if (node < 0) continue;
+    const Quat local = start_.local[static_cast<std::size_t>(prior.joint)].rotation;
+    const Mat3 axes = above_[static_cast<std::size_t>(node)] * (local * prior.frame).normalized().toRotationMatrix();
+    const Vec3 stiffness = kUsualTurn * prior.spread.cwiseInverse();
+    problem.nodes[static_cast<std::size_t>(node)].stiffness = axes * stiffness.asDiagonal() * axes.transpose();
+  }
+  const int root = node_of(body_root_);
+  if (priors.empty() || root < 0) return;
+  Mat3& stiffness = problem.nodes[static_cast<std::size_t>(root)].stiffness;
+  stiffness *= kPersonsRoot.swing / stiffness_of(JointRole::root).swing;
 }
 
 void LineScene::add_shares(const LinePath& path) {

@@ -35,6 +35,7 @@ class LineScene {
   void add_nodes(const std::vector<LineInput>& inputs, const LineSolverOptions& options);
   void add_path(const LineInput& input);
   void set_stiffness(const LinePath& path);
+  void heed_prior(const HumanoidMap& humanoid);
   void add_shares(const LinePath& path);
   void add_pins(const std::vector<PosePin>& pins);
   void add_body(const HumanoidMap& humanoid, const LineSolverOptions& options);
@@ -42,6 +43,7 @@ class LineScene {
 
   const Skeleton& skeleton_;
   const Pose& start_;
+  bool person_ = false;
   std::vector<JointRole> roles_;
   std::vector<Affine> model_;  ///< of the start pose
   std::vector<Mat3> above_;    ///< per node: orthogonal part of what is above the joint, in view axes

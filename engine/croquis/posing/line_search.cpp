@@ -46,6 +46,13 @@ double apart(const LineState& a, const LineState& b) {
   return most;
 }
 
+/// How far joints are from where they should be, root mean square, in lengths of the line.
+double miss(const LineProblem& problem, const LineSolution& solution) {
+  double joints = 0.0;
+  for (const LinePath& path : problem.paths) joints += static_cast<double>(path.nodes.size());
+  return std::sqrt(2.0 * solution.report.energy / joints);
+}
+
 void soften(LineWeights& weights) {
   weights.pin *= 0.005;
   weights.pin_turn *= 0.05;
@@ -66,8 +73,8 @@ double turned_by(const LineProblem& problem, const LineState& state) {
   return turning > 0 ? sum / turning : 0.0;
 }
 
-LineSearch::LineSearch(LineScene& scene, const std::vector<LineInput>& inputs, int iterations)
-    : scene_(scene), inputs_(inputs), iterations_(iterations) {
+LineSearch::LineSearch(LineScene& scene, const std::vector<LineInput>& inputs, const LineSolverOptions& options)
+    : scene_(scene), inputs_(inputs), iterations_(options.iterations), thorough_(options.thorough) {
   descent_.prepare(scene.problem);
   for (const LineInput& input : inputs) forward_.push_back(input.direction != LineInput::Direction::backward);
   std::vector<bool> wanted = forward_;
@@ -83,10 +90,7 @@ void LineSearch::set_forward(const std::vector<bool>& forward) {
 }
 
 void LineSearch::judge(LineSolution& solution) const {
-  double joints = 0.0;
-  for (const LinePath& path : scene_.problem.paths) joints += static_cast<double>(path.nodes.size());
-  const double miss = std::sqrt(2.0 * solution.report.energy / joints);
-  solution.cost = 10.0 * miss + std::sqrt(turned_by(scene_.problem, solution.state)) +
+  solution.cost = 10.0 * miss(scene_.problem, solution) + std::sqrt(turned_by(scene_.problem, solution.state)) +
                   tipped(scene_.problem, solution.state) + 6.0 * drawn_away(scene_.problem);
   solution.forward = forward_;
 }
@@ -102,7 +106,7 @@ LineSolution LineSearch::descend(LineState start) {
     weights = given;
   }
   const int before = solution.report.iterations;
-  solution.report = descent_.minimise(scene_.problem, solution.state, {iterations_, 1e-6});
+  solution.report = descent_.minimise(scene_.problem, solution.state, {iterations_, 1e-9});
   solution.report.iterations += before;
   judge(solution);
   return solution;
@@ -162,7 +166,7 @@ LineSolution LineSearch::solve_one_way() {
   soften(scene_.problem.weights);
   for (LineState& start : starts) {
     bend_pinned_hinges(start);
-    const DescentReport report = descent_.minimise(problem, start, {8, 1e-4});
+    const DescentReport report = descent_.minimise(problem, start, {thorough_ ? 20 : 8, 1e-4});
     if (!(report.energy < found.energy)) continue;
     best = start;
     found = report;
@@ -170,7 +174,24 @@ LineSolution LineSearch::solve_one_way() {
   scene_.problem.weights = given;
   LineSolution solution = descend(std::move(best));
   solution.report.iterations += found.iterations;
-  return solution;
+  return thorough_ ? turn_over(std::move(solution)) : solution;
+}
+
+/// The solution, or what comes of it when some of its bones come toward the viewer that went away, whichever is better:
+/// a bone that lies in the picture is a saddle between the two, and descent alone does not choose.
+LineSolution LineSearch::turn_over(LineSolution solution) {
+  constexpr double kHopeful = 1.5;  // times the energy, after a few steps
+  LineSolution best = solution;
+  for (const auto& guess : depth_guesses(solution.state)) {
+    LineState state = solution.state;
+    lay_on_chords(scene_.problem, guess, state);
+    bend_pinned_hinges(state);
+    const DescentReport report = descent_.minimise(scene_.problem, state, {12, 1e-4});
+    if (report.energy > kHopeful * best.report.energy) continue;
+    LineSolution other = descend(std::move(state));
+    if (other.report.energy < 0.999 * best.report.energy) best = std::move(other);
+  }
+  return best;
 }
 
 LineSolution LineSearch::solve_way(const std::vector<bool>& forward) {
@@ -234,7 +255,7 @@ std::vector<std::vector<std::vector<int>>> LineSearch::depth_guesses(const LineS
 }
 
 std::vector<LineSolution> LineSearch::others(const LineSolution& best) {
-  constexpr double kSame = 0.03;  // of the line's length
+  constexpr double kSame = 0.03, kMissed = 0.03;  // of the line's length
   std::vector<LineSolution> found;
   for (std::size_t i = 0; i < inputs_.size(); ++i) {
     if (inputs_[i].direction != LineInput::Direction::automatic) continue;
@@ -243,17 +264,24 @@ std::vector<LineSolution> LineSearch::others(const LineSolution& best) {
     found.push_back(solve_way(turned));
   }
   set_forward(best.forward);
-  for (const auto& guess : depth_guesses(best.state)) {
-    LineState state = best.state;
+  const auto try_guess = [&](const std::vector<std::vector<int>>& guess, LineState state) {
     lay_on_chords(scene_.problem, guess, state);
     bend_pinned_hinges(state);
     found.push_back(descend(std::move(state)));
+  };
+  for (const auto& guess : depth_guesses(best.state)) try_guess(guess, best.state);
+  // All bones foreshortened alike, toward the viewer and away.
+  for (const int sign : {1, -1}) {
+    std::vector<std::vector<int>> guess;
+    for (const LinePath& path : scene_.problem.paths) guess.emplace_back(path.bones.size(), sign);
+    try_guess(guess, scene_.problem.start_state());
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const LineSolution& a, const LineSolution& b) { return a.cost < b.cost; });
   std::vector<LineSolution> distinct;
   for (LineSolution& solution : found) {
     const auto same = [&](const LineSolution& other) { return apart(other.state, solution.state) < kSame; };
+    if (miss(scene_.problem, solution) > miss(scene_.problem, best) + kMissed) continue;  // stuck at a limit
     if (same(best) || std::any_of(distinct.begin(), distinct.end(), same)) continue;
     distinct.push_back(std::move(solution));
   }

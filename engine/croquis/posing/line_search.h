@@ -22,7 +22,7 @@ struct LineSolution {
 /// Searches the poses that answer a scene's strokes: a few closed-form starts, descended.
 class LineSearch {
  public:
-  LineSearch(LineScene& scene, const std::vector<LineInput>& inputs, int iterations);
+  LineSearch(LineScene& scene, const std::vector<LineInput>& inputs, const LineSolverOptions& options);
 
   /// The best pose; strokes whose direction is automatic are tried both ways, one after the other.
   [[nodiscard]] LineSolution best();
@@ -33,6 +33,7 @@ class LineSearch {
   void set_forward(const std::vector<bool>& forward);
   [[nodiscard]] LineSolution descend(LineState start);
   [[nodiscard]] LineSolution solve_one_way();
+  [[nodiscard]] LineSolution turn_over(LineSolution solution);
   [[nodiscard]] LineSolution solve_way(const std::vector<bool>& forward);
   void judge(LineSolution& solution) const;
   void bend_pinned_hinges(LineState& state) const;
@@ -41,6 +42,7 @@ class LineSearch {
   LineScene& scene_;
   const std::vector<LineInput>& inputs_;
   int iterations_;
+  bool thorough_;
   LineDescent descent_;
   std::vector<bool> forward_;
   std::vector<LineSolution> ways_;  ///< solved already, each with its directions

@@ -104,11 +104,11 @@ std::vector<LineSolverResult> solve_alternatives(const Skeleton& skeleton, const
   LineSolverOptions held = options;
   for (const PosePin& pin : pin_standing_feet(skeleton, humanoid, start, inputs, options)) held.pins.push_back(pin);
   auto scene = std::make_unique<LineScene>(skeleton, humanoid, start, inputs, camera, held);
-  auto search = std::make_unique<LineSearch>(*scene, inputs, options.iterations);
+  auto search = std::make_unique<LineSearch>(*scene, inputs, options);
   LineSolution best = search->best();
   if (held.pins.size() > options.pins.size() && misses_line(scene->problem, best.state)) {
     auto free_scene = std::make_unique<LineScene>(skeleton, humanoid, start, inputs, camera, options);
-    auto free_search = std::make_unique<LineSearch>(*free_scene, inputs, options.iterations);
+    auto free_search = std::make_unique<LineSearch>(*free_scene, inputs, options);
     LineSolution leaping = free_search->best();
     if (!misses_line(free_scene->problem, leaping.state)) {
       search = std::move(free_search);

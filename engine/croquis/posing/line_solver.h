@@ -55,7 +55,8 @@ struct LineSolverOptions {
   bool balance = false;       ///< with a floor: the middle of the body's mass stays over what stands on it (soft)
   bool avoid_overlap = true;  ///< limbs, as capsules about the bones, do not pass through each other (soft)
   LineWeights weights = {};
-  int iterations = 80;  ///< of the final descent, at most
+  int iterations = 80;   ///< of the final descent, at most
+  bool thorough = true;  ///< try bones that lie about in the picture both ways in depth; otherwise three times quicker
 };
 
 struct LineSolverResult {

@@ -13,10 +13,10 @@ namespace croquis {
 namespace {
 
 constexpr double kTurnPerPixel = 2.5 * kDegree;
-constexpr int kIterations = 5;  // per update: the pen moves little between two
+constexpr int kIterations = 10;  // per update: the pen moves little between two
 // A stroke takes hold over its first lengths (parts of the line's): what it covers soon, what lies beyond it later. In
 // powers of ten, as the data outweigh the inertia of the body a millionfold.
-constexpr double kHolds = 0.1, kLeads = 0.2, kPowers = 10.0;
+constexpr double kHolds = 0.1, kLeads = 0.5, kPowers = 10.0;
 
 /// A stroke for a problem that has none yet: some way across the picture.
 Polyline2 any_stroke(const Camera& camera) {

@@ -11,8 +11,11 @@
 namespace croquis {
 namespace {
 
-/// Root mean square distance of a stroke from the path's own line, points at equal parts of the lengths.
+/// Root mean square distance of a stroke from the path's own line, points at equal parts of the lengths. Inside the
+/// line they may slide along it a little: one cut corner shifts all that comes after it.
 double distance_from_own(const LineProblem& problem, const LinePath& path) {
+  constexpr int kPoints = 129;
+  constexpr double kSlide = 0.005;
   std::vector<Vec2> joints;
   for (const int node : path.nodes)
     joints.push_back(problem.project(problem.nodes[static_cast<std::size_t>(node)].start));
@@ -22,10 +25,15 @@ double distance_from_own(const LineProblem& problem, const LinePath& path) {
   double nearest = 1.0;
   for (const Polyline2* own : {&pieces, &curve}) {
     double sum = 0.0;
-    constexpr int kPoints = 129;
     for (int i = 0; i < kPoints; ++i) {
-      const double part = static_cast<double>(i) / (kPoints - 1);
-      sum += (path.curve.at(part * path.curve.length()) - own->at(part * own->length())).squaredNorm();
+      const double part = static_cast<double>(i) / (kPoints - 1), step = 1.0 / (kPoints - 1);
+      Vec2 off = path.curve.at(part * path.curve.length()) - own->at(part * own->length());
+      if (i > 0 && i + 1 < kPoints) {
+        const Vec2 along = own->at((part + step) * own->length()) - own->at((part - step) * own->length());
+        const double norm = along.norm();
+        if (norm > 0.0) off -= std::clamp(off.dot(along) / norm, -kSlide, kSlide) * along / norm;
+      }
+      sum += off.squaredNorm();
     }
     nearest = std::min(nearest, std::sqrt(sum / kPoints));
   }

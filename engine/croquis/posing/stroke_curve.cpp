@@ -8,6 +8,21 @@
 #include "croquis/base/error.h"
 
 namespace croquis {
+namespace {
+
+// Between samples nearer than this part of a stroke's length it is the smooth curve through them that was drawn:
+// straight pieces would cut corners, and how many would depend on how often the pen was asked. Farther apart they are
+// meant.
+constexpr double kDense = 1.0 / 24.0;
+
+/// The direction of a curve at b, between a and c.
+Vec2 direction_at(const Vec2& a, const Vec2& b, const Vec2& c) {
+  const double before = (b - a).norm(), after = (c - b).norm();
+  if (!(before > 0.0 && after > 0.0)) return (c - a) / std::max(before + after, 1e-300);
+  return ((b - a) * (after / before) + (c - b) * (before / after)) / (before + after);
+}
+
+}  // namespace
 
 StrokeCurve::StrokeCurve() {
   knots_.resize(kKnots, Vec2::Zero());
@@ -32,9 +47,19 @@ void StrokeCurve::assign(std::span<const Vec2> points, const Vec2& scale, const 
       ++segment;
       span = (at_index(segment) - at_index(segment - 1)).norm();
     }
-    const double t = span > 0.0 ? std::clamp((s - before) / span, 0.0, 1.0) : 0.0;
+    if (!(span > 0.0)) {
+      knots_[static_cast<std::size_t>(k)] = at_index(segment);
+      continue;
+    }
+    const double t = std::clamp((s - before) / span, 0.0, 1.0);
     const Vec2 a = at_index(segment - 1), b = at_index(segment);
-    knots_[static_cast<std::size_t>(k)] = a + t * (b - a);
+    const bool dense = span < kDense * length_;
+    const Vec2 in = dense && segment > 1 ? direction_at(at_index(segment - 2), a, b) : Vec2((b - a) / span);
+    const Vec2 out =
+        dense && segment + 1 < points.size() ? direction_at(a, b, at_index(segment + 1)) : Vec2((b - a) / span);
+    const double t2 = t * t, t3 = t2 * t;
+    knots_[static_cast<std::size_t>(k)] =
+        (2 * t3 - 3 * t2 + 1) * a + (t3 - 2 * t2 + t) * span * in + (3 * t2 - 2 * t3) * b + (t3 - t2) * span * out;
   }
   finish();
 }

@@ -27,7 +27,7 @@ void compute_model_transforms(const Skeleton& skeleton, const Pose& pose, std::s
 /// Joint positions in model space.
 [[nodiscard]] std::vector<Vec3> compute_positions(const Skeleton& skeleton, const Pose& pose);
 
-/// The largest relative change of a bone's length between two poses of one skeleton, over all bones longer than 1e-9
+/// The largest relative change of a bone's length between two poses of one skeleton, over all bones longer than 1e-6
 /// of the skeleton's extent.
 [[nodiscard]] double bone_length_drift(const Skeleton& skeleton, const Pose& before, const Pose& after);
 
