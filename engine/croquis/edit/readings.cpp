@@ -16,15 +16,15 @@ namespace {
 
 bool is_open(const StrokeSettings& settings) { return settings.body_line == "auto" && settings.joints.empty(); }
 
-/// The candidates for a stroke among `lines`, of `solved` that are solved, the wanted direction alone if one is said.
-std::vector<LineCandidate> rank(const Project& project, const PlacedStroke& stroke, const std::vector<BodyLine>& lines,
-                                int solved) {
+/// The candidates for a stroke among `lines`, the wanted direction alone if one is said. As many are solved whatever is
+/// asked for: the second reading is the same in a list of two and of five.
+std::vector<LineCandidate> rank(const Project& project, const PlacedStroke& stroke,
+                                const std::vector<BodyLine>& lines) {
   const Actor& actor = actor_at(project, stroke.actor);
   const Character& character = *actor.character;
   StrokeSettings settings = stroke.settings;
   if (!is_line_method(settings)) settings = {};
   LineRankingOptions options;
-  options.solved = solved;
   options.solver = make_solver_options(project, actor, settings);
   PlacedStroke read = stroke;
   read.settings = settings;
@@ -57,7 +57,7 @@ std::vector<StrokeReading> read_known_line(const Project& project, const PlacedS
   first.settings.alternative = 0;
   if (choice.line.joints.empty() || !is_line_method(stroke.settings)) return {first};
   std::vector<StrokeReading> readings;
-  for (const LineCandidate& candidate : rank(project, stroke, {choice.line}, 2)) {
+  for (const LineCandidate& candidate : rank(project, stroke, {choice.line})) {
     readings.push_back(reading_of(stroke.settings, choice.line, candidate.forward, candidate.cost));
   }
   if (readings.size() == 1 && stroke.settings.direction == "auto") {
@@ -81,7 +81,8 @@ void add_depths(const Project& project, const PlacedStroke& stroke, std::vector<
   for (int k = 1; k < std::ssize(depths); ++k) {
     StrokeReading reading = first;
     reading.label += " (depth " + std::to_string(k + 1) + ")";
-    reading.cost += depths[static_cast<std::size_t>(k)].report.residual - depths.front().report.residual;
+    const double more = depths[static_cast<std::size_t>(k)].report.residual - depths.front().report.residual;
+    reading.cost = std::max(readings[static_cast<std::size_t>(k - 1)].cost, first.cost + more);
     reading.settings.depth = k;
     readings.insert(readings.begin() + k, std::move(reading));
   }
@@ -111,7 +112,7 @@ std::vector<StrokeReading> readings_of(const Project& project, const PlacedStrok
   if (is_open(stroke.settings)) {
     const std::vector<BodyLine> lines = standard_body_lines(character.skeleton, character.humanoid);
     if (lines.empty()) throw_invalid_argument("the skeleton has no bone to pose: it needs a joint below another");
-    for (const LineCandidate& candidate : rank(project, stroke, lines, std::max(4, most))) {
+    for (const LineCandidate& candidate : rank(project, stroke, lines)) {
       readings.push_back(reading_of(stroke.settings, candidate.line, candidate.forward, candidate.cost));
     }
   } else {
@@ -145,7 +146,7 @@ std::vector<PlacedStroke> assign_body_lines(const Project& project, std::vector<
   std::vector<Match> matches;
   for (const std::size_t i : open) {
     check_stroke(strokes[i].stroke, strokes[i].camera);
-    for (LineCandidate& candidate : rank(project, strokes[i], lines, 6)) matches.push_back({i, std::move(candidate)});
+    for (LineCandidate& candidate : rank(project, strokes[i], lines)) matches.push_back({i, std::move(candidate)});
   }
   std::stable_sort(matches.begin(), matches.end(),
                    [](const Match& a, const Match& b) { return a.candidate.cost < b.candidate.cost; });

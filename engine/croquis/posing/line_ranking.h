@@ -16,7 +16,7 @@ struct LineCandidate {
 };
 
 struct LineRankingOptions {
-  int solved = 6;  ///< so many candidates of the screening are solved
+  int solved = 5;  ///< so many candidates of the screening are solved
   LineSolverOptions solver = {};
 };
 
