@@ -39,17 +39,10 @@ function curve(from, heading, length, turn) {
 }
 const shapes = { C: (t) => 1.6 * (t - 0.5), S: (t) => 0.9 * Math.sin(2 * Math.PI * t) };
 
-/** What the solver does not do yet. */
-function todo(rig, letter) {
-  if (/fox/.test(rig)) return 'the zigzag of its default line is far from the stroke, or does not settle';
-  if (`${rig} ${letter}` === 'gltf/quaternius_man_casual.glb S' || `${rig} ${letter}` === 'bvh/cmu_01_01.bvh C') return 'the descent does not settle';
-  return false;
-}
-
 for (const rig of rigs) {
   const file = dataPath(rig);
   for (const [letter, turn] of Object.entries(shapes)) {
-    test(`${rig} takes a drawn ${letter}`, { skip: file ? false : 'no shared data', todo: todo(rig, letter) }, async () => {
+    test(`${rig} takes a drawn ${letter}`, { skip: file ? false : 'no shared data' }, async () => {
       const folder = makeFolder(), { joints, body_lines, front } = JSON.parse(succeed(['info', file, '--json']));
       const jointOf = (reference) => reference.startsWith('#') ? joints[+reference.slice(1)] : joints.find((j) => j.name === reference);
       const line = body_lines[0].joints.map(jointOf), points = line.map((j) => j.rest_position);

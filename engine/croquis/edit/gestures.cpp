@@ -7,9 +7,11 @@
 #include <span>
 #include <utility>
 
+#include "croquis/edit/line_setup.h"
 #include "croquis/edit/pose_text.h"
 #include "croquis/edit/view.h"
 #include "croquis/io/svg.h"
+#include "croquis/posing/body_points.h"
 #include "croquis/rig/mirror.h"
 
 namespace croquis {
@@ -139,7 +141,9 @@ GesturePose pose_other(const Project& alone, const Gesture& gesture, int side_px
   placed.settings.joints = line.joints;
   placed.settings.direction = "forward";
   placed.settings.length = "scale";
-  project.settings.floor = false;
+  const std::vector<Vec3> joints = compute_positions(character.skeleton, actor.pose);
+  const bool stands = !find_standing_feet(character.skeleton, character.humanoid, joints, floor_under(actor)).empty();
+  project.settings.floor = gesture.on_floor && stands;
   PosedLines posed = pose_along_lines(project, {placed});
   return {std::move(posed.project), camera, std::move(posed.reports)};
 }
