@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -13,20 +14,29 @@ namespace croquis {
 HalfEdges::HalfEdges(int vertex_count, const std::vector<std::array<int, 3>>& triangles)
     : twin_(3 * triangles.size(), -1), out_(static_cast<std::size_t>(vertex_count), -1) {
   origin_.reserve(3 * triangles.size());
-  // Sorted by their ends, a half-edge and its twin stand side by side.
-  std::vector<std::pair<std::uint64_t, int>> edges;
-  edges.reserve(3 * triangles.size());
+  // Sorted by their ends, a half-edge and its twin stand side by side. By the lower end at once: it has few.
+  std::vector<std::size_t> first(static_cast<std::size_t>(vertex_count) + 1, 0);
+  for (const auto& triangle : triangles) {
+    for (std::size_t c = 0; c < 3; ++c)
+      ++first[static_cast<std::size_t>(std::min(triangle[c], triangle[(c + 1) % 3])) + 1];
+  }
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<std::pair<std::uint64_t, int>> edges(3 * triangles.size());
+  std::vector<std::size_t> filled(first.begin(), first.end() - 1);
   for (const auto& triangle : triangles) {
     for (std::size_t c = 0; c < 3; ++c) {
       const int h = static_cast<int>(origin_.size());
       const int a = triangle[c], b = triangle[(c + 1) % 3];
       origin_.push_back(a);
       out_[static_cast<std::size_t>(a)] = h;
-      edges.emplace_back(
-          (static_cast<std::uint64_t>(std::min(a, b)) << 32U) | static_cast<std::uint64_t>(std::max(a, b)), h);
+      const auto low = static_cast<std::uint64_t>(std::min(a, b)), high = static_cast<std::uint64_t>(std::max(a, b));
+      edges[filled[low]++] = {low << 32U | high, h};
     }
   }
-  std::sort(edges.begin(), edges.end());
+  for (std::size_t v = 0; v + 1 < first.size(); ++v) {
+    std::sort(edges.begin() + static_cast<std::ptrdiff_t>(first[v]),
+              edges.begin() + static_cast<std::ptrdiff_t>(first[v + 1]));
+  }
   for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
     if (edges[i].first != edges[i + 1].first) continue;
     const int h = edges[i].second, other = edges[i + 1].second;
@@ -59,16 +69,28 @@ void HalfEdges::outgoing(int v, std::vector<int>& result) const {
   }
 }
 
-void HalfEdges::neighbours(int v, std::vector<int>& result) const {
+bool HalfEdges::neighbours(int v, std::vector<int>& result) const {
   outgoing(v, result);
   const int last = previous(result.back());
+  const bool on_rim = twin(last) < 0;
   for (int& h : result) h = target(h);
-  if (twin(last) < 0) result.push_back(origin(last));
+  if (on_rim) result.push_back(origin(last));
+  return on_rim;
 }
 
 bool HalfEdges::is_on_rim(int v) const {
   outgoing(v, scratch_[0]);
   return twin(scratch_[0].front()) < 0;
+}
+
+std::vector<int> HalfEdges::valences() const {
+  std::vector<int> result(out_.size(), 0);
+  for (int h = 0; h < count(); ++h) {
+    if (!is_alive(h)) continue;
+    ++result[static_cast<std::size_t>(origin(h))];
+    if (twin(h) < 0) ++result[static_cast<std::size_t>(target(h))];
+  }
+  return result;
 }
 
 int HalfEdges::split(int h) {
@@ -112,10 +134,8 @@ int HalfEdges::split(int h) {
 bool HalfEdges::can_collapse(int h) const {
   const int a = origin(h), b = target(h), t = twin(h);
   auto &around_a = scratch_[1], &around_b = scratch_[2];
-  const bool rim_a = is_on_rim(a), rim_b = is_on_rim(b);
+  const bool rim_a = neighbours(a, around_a), rim_b = neighbours(b, around_b);
   if (rim_a && (!rim_b || t >= 0)) return false;  // the rim stays where it is; two rims never meet
-  neighbours(a, around_a);
-  neighbours(b, around_b);
   std::ptrdiff_t common = 0;
   for (const int v : around_a) common += std::count(around_b.begin(), around_b.end(), v);
   if (common != (t >= 0 ? 2 : 1)) return false;

@@ -28,9 +28,11 @@ class HalfEdges {
 
   /// The half-edges that leave v, in order around it.
   void outgoing(int v, std::vector<int>& result) const;
-  /// The vertices around v, each once.
-  void neighbours(int v, std::vector<int>& result) const;
+  /// The vertices around v, each once; whether it is on the rim.
+  bool neighbours(int v, std::vector<int>& result) const;
   [[nodiscard]] bool is_on_rim(int v) const;
+  /// How many vertices stand around each vertex; 0 for those that have gone.
+  [[nodiscard]] std::vector<int> valences() const;
 
   /// Puts a new vertex, whose number is returned, in the middle of an edge.
   int split(int h);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace croquis {
 namespace {
@@ -28,6 +29,10 @@ const Ball& ball_of(const Form& form) {
   return std::visit([](const auto& shape) -> const Ball& { return shape.ball(); }, form.shape);
 }
 
+bool farther_than(const Box& box, const Vec3& point, double distance) {
+  return distance < 0.0 || box.squaredExteriorDistance(point) > distance * distance;
+}
+
 bool farther_than(const Ball& ball, const Vec3& point, double distance) {
   const double reach = distance + ball.radius;
   return reach < 0.0 || (point - ball.center).squaredNorm() > reach * reach;
@@ -43,9 +48,12 @@ Box box_of(const Form& form) {
   return std::visit([](const auto& shape) { return shape.box(); }, form.shape);
 }
 
+/// The field at a point, with or without what part each form has in it.
+template <bool kShares>
 struct ImplicitSurface::Evaluation {
+  struct None {};
   FieldSample field;
-  std::vector<std::pair<const Form*, double>> shares;
+  [[no_unique_address]] std::conditional_t<kShares, std::vector<std::pair<const Form*, double>>, None> shares;
 
   /// this = smooth minimum of this and other.
   void unite(const Evaluation& other, double radius) {
@@ -53,8 +61,13 @@ struct ImplicitSurface::Evaluation {
     const Blend blend = smooth_minimum(std::abs(other.field.value - field.value), radius);
     const double mine = other_smaller ? blend.share : 1.0 - blend.share;
     const double value = std::min(field.value, other.field.value) - blend.lowering;
-    mix(other, mine);
+    field.gradient = mine * field.gradient + (1.0 - mine) * other.field.gradient;
+    field.detail = mine * field.detail + (1.0 - mine) * other.field.detail;
     field.value = value;
+    if constexpr (kShares) {
+      for (auto& [form, share] : shares) share *= mine;
+      for (const auto& [form, share] : other.shares) shares.emplace_back(form, (1.0 - mine) * share);
+    }
   }
 
   /// this = smooth maximum of this and -other: other is taken away. What is left keeps its owner.
@@ -68,46 +81,42 @@ struct ImplicitSurface::Evaluation {
     field.detail = mine * field.detail + (1.0 - mine) * other.field.detail;
     field.value = value;
   }
-
- private:
-  void mix(const Evaluation& other, double mine) {
-    field.gradient = mine * field.gradient + (1.0 - mine) * other.field.gradient;
-    field.detail = mine * field.detail + (1.0 - mine) * other.field.detail;
-    for (auto& [form, share] : shares) share *= mine;
-    for (const auto& [form, share] : other.shares) shares.emplace_back(form, (1.0 - mine) * share);
-  }
 };
 
 ImplicitSurface::ImplicitSurface(Limb root, bool mirrored) : root_(std::move(root)), mirrored_(mirrored) { add(root_); }
 
 int ImplicitSurface::add(const Limb& limb) {
   const int index = static_cast<int>(nodes_.size());
-  nodes_.push_back({&limb, {}, 0});
+  nodes_.push_back({&limb, {}, {}, 0, forms_.size()});
   Ball ball;
   for (const Form& form : limb.forms) {
     forms_.push_back(&form);
+    boxes_.push_back(box_of(form));
     if (!form.carve) ball.include(ball_of(form));
   }
-  for (const Limb& child : limb.limbs) ball.include(nodes_[static_cast<std::size_t>(add(child))].ball);
-  nodes_[static_cast<std::size_t>(index)].ball = ball;
+  nodes_[static_cast<std::size_t>(index)].own = ball;
+  for (const Limb& child : limb.limbs) ball.include(nodes_[static_cast<std::size_t>(add(child))].all);
+  nodes_[static_cast<std::size_t>(index)].all = ball;
   nodes_[static_cast<std::size_t>(index)].next = static_cast<int>(nodes_.size());
   return index;
 }
 
-/// `limit`: whoever asks has no use for values above it (they may come back as anything above it).
-ImplicitSurface::Evaluation ImplicitSurface::evaluate(int index, const Vec3& point, double limit,
-                                                      bool with_shares) const {
-  const Node& node = nodes_[static_cast<std::size_t>(index)];
-  Evaluation own;
+template <bool kShares>
+ImplicitSurface::Evaluation<kShares> ImplicitSurface::evaluate_own(const Node& node, const Vec3& point) const {
+  Evaluation<kShares> own;
   own.field.value = std::numeric_limits<double>::max();
+  const Box* box = &boxes_[node.first_form];
   for (const Form& form : node.limb->forms) {
+    const Box& form_box = *box++;
     const bool first = own.field.value == std::numeric_limits<double>::max();
     const double wanted = form.carve ? form.blend - own.field.value : own.field.value + form.blend;
-    if (!first && farther_than(ball_of(form), point, wanted)) continue;
+    if (!first && farther_than(form_box, point, wanted)) continue;
     const ShapeSample shape = sample_form(form, point);
-    Evaluation one;
+    Evaluation<kShares> one;
     one.field = {shape.distance, shape.direction, form.detail};
-    if (with_shares && !form.carve) one.shares.emplace_back(&form, 1.0);
+    if constexpr (kShares) {
+      if (!form.carve) one.shares.emplace_back(&form, 1.0);
+    }
     if (first) {
       own = std::move(one);
     } else if (form.carve) {
@@ -116,24 +125,52 @@ ImplicitSurface::Evaluation ImplicitSurface::evaluate(int index, const Vec3& poi
       own.unite(one, form.blend);
     }
   }
-  Evaluation best = own;
-  for (int child = index + 1; child < node.next; child = nodes_[static_cast<std::size_t>(child)].next) {
+  return own;
+}
+
+/// `limit`: whoever asks has no use for values above it (they may come back as anything above it).
+template <bool kShares>
+ImplicitSurface::Evaluation<kShares> ImplicitSurface::evaluate(int index, const Vec3& point, double limit) const {
+  const Node& node = nodes_[static_cast<std::size_t>(index)];
+  const auto next = [&](int child) { return nodes_[static_cast<std::size_t>(child)].next; };
+  // Far out on a limb the masses that it grows out of, a dozen of them, are out of reach: what they are at least says
+  // so before they are asked.
+  const double own_least = (point - node.own.center).norm() - node.own.radius;
+  Evaluation<kShares> best;
+  best.field.value = std::numeric_limits<double>::max();
+  if (own_least > 0.0) {
+    double reach = 0.0;  // of the blends
+    for (int child = index + 1; child < node.next; child = next(child)) {
+      const Node& grown = nodes_[static_cast<std::size_t>(child)];
+      reach = std::max(reach, grown.limb->blend);
+      const double wanted = std::min({limit, best.field.value, own_least});
+      if (farther_than(grown.all, point, wanted)) continue;
+      Evaluation<kShares> one = evaluate<kShares>(child, point, wanted);
+      if (one.field.value < best.field.value) best = std::move(one);
+    }
+    if (best.field.value + reach <= own_least) return best;
+  }
+  const Evaluation<kShares> own = evaluate_own<kShares>(node, point);
+  best = own;
+  for (int child = index + 1; child < node.next; child = next(child)) {
     const Node& grown = nodes_[static_cast<std::size_t>(child)];
-    const double wanted = std::min(own.field.value, limit) + grown.limb->blend;
-    if (farther_than(grown.ball, point, wanted)) continue;
-    Evaluation united = evaluate(child, point, wanted, with_shares);
+    // The smooth minimum of two lies below the smaller by a sixth of its radius at most.
+    const double blend = grown.limb->blend, least = std::min(best.field.value, limit) + blend / 6.0;
+    const double wanted = own.field.value >= least ? least : own.field.value + blend;
+    if (farther_than(grown.all, point, wanted)) continue;
+    const Evaluation<kShares> united = evaluate<kShares>(child, point, wanted);
     // The order of the two must not matter: the parent's own masses come second.
-    Evaluation parent = own;
-    parent.unite(united, grown.limb->blend);
+    Evaluation<kShares> parent = own;
+    parent.unite(united, blend);
     if (parent.field.value < best.field.value) best = std::move(parent);
   }
   return best;
 }
 
 FieldSample ImplicitSurface::sample(const Vec3& point) const {
-  Evaluation result = evaluate(0, fold(point, mirrored_), std::numeric_limits<double>::max(), false);
-  if (mirrored_ && point.x() < 0.0) result.field.gradient.x() *= -1.0;
-  return result.field;
+  FieldSample field = evaluate<false>(0, fold(point, mirrored_), std::numeric_limits<double>::max()).field;
+  if (mirrored_ && point.x() < 0.0) field.gradient.x() *= -1.0;
+  return field;
 }
 
 Vec3 ImplicitSurface::normal(const Vec3& point, double step) const {
@@ -147,7 +184,7 @@ Vec3 ImplicitSurface::normal(const Vec3& point, double step) const {
 }
 
 std::vector<std::pair<const Form*, double>> ImplicitSurface::shares(const Vec3& point) const {
-  return evaluate(0, fold(point, mirrored_), std::numeric_limits<double>::max(), true).shares;
+  return evaluate<true>(0, fold(point, mirrored_), std::numeric_limits<double>::max()).shares;
 }
 
 }  // namespace croquis

@@ -60,17 +60,24 @@ class ImplicitSurface {
  private:
   struct Node {
     const Limb* limb = nullptr;
-    Ball ball;     ///< holds the limb and what grows out of it
+    Ball own;      ///< holds the limb's own masses
+    Ball all;      ///< holds the limb and what grows out of it
     int next = 0;  ///< index after the last node of this subtree (nodes stand in preorder)
+    std::size_t first_form = 0;
   };
+  template <bool kShares>
   struct Evaluation;
   int add(const Limb& limb);
-  [[nodiscard]] Evaluation evaluate(int node, const Vec3& point, double limit, bool with_shares) const;
+  template <bool kShares>
+  [[nodiscard]] Evaluation<kShares> evaluate(int node, const Vec3& point, double limit) const;
+  template <bool kShares>
+  [[nodiscard]] Evaluation<kShares> evaluate_own(const Node& node, const Vec3& point) const;
 
   Limb root_;
   bool mirrored_;
   std::vector<Node> nodes_;
   std::vector<const Form*> forms_;
+  std::vector<Box> boxes_;  // of the forms
 };
 
 /// The bounding box of a form.

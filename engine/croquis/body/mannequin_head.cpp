@@ -33,8 +33,8 @@ Limb make_head(const MannequinMeasures& m, const Armature& a) {
   head.forms.push_back(make_form(Ellipsoid(at(0.180, 0.42, 0.180), h * Vec3(0.085, 0.080, 0.10)), traits(0.13, 0.04)));
   // The mouth: one rounded mass, and the chin below it.
   head.forms.push_back(make_form(Ellipsoid(at(0.0, 0.225, 0.255), h * Vec3(0.125, 0.10, 0.105)), traits(0.08, 0.04)));
-  head.forms.push_back(make_form(Ellipsoid(at(0.0, 0.228, 0.335), h * Vec3(0.085, 0.040, 0.036)), traits(0.07, 0.032)));
-  head.forms.push_back(make_form(Ellipsoid(at(0.0, 0.072, 0.285), h * Vec3(0.075, 0.060, 0.060)), traits(0.08, 0.035)));
+  head.forms.push_back(make_form(Ellipsoid(at(0.0, 0.228, 0.335), h * Vec3(0.085, 0.040, 0.036)), traits(0.07, 0.022)));
+  head.forms.push_back(make_form(Ellipsoid(at(0.0, 0.072, 0.285), h * Vec3(0.075, 0.060, 0.060)), traits(0.08, 0.028)));
   head.forms.push_back(make_carving(
       Ellipsoid(at(0.135, 0.495, 0.385), h * Vec3(0.095, 0.052, 0.065), turned(0.0, 20.0, -4.0)), traits(0.08, 0.032)));
   head.forms.push_back(make_form(
@@ -47,11 +47,11 @@ Limb make_head(const MannequinMeasures& m, const Armature& a) {
                                        oval_section(at(0.0, 0.465, 0.350), 0.034 * h, 0.036 * h),
                                        oval_section(at(0.0, 0.375, 0.378), 0.058 * h, 0.058 * h)},
                                       x, z, -1.0, 0.030 * h),
-                                 traits(0.055, 0.027)));
+                                 traits(0.055, 0.023)));
   Limb ear{{}, 0.06 * h};
   ear.forms.push_back(
       make_form(Ellipsoid(at(0.328, 0.455, -0.07), h * Vec3(0.042, 0.100, 0.066), turned(-14.0, -20.0, -8.0)),
-                traits(0.0, 0.026)));
+                traits(0.0, 0.020)));
   head.limbs.push_back(ear);
   return head;
 }

@@ -18,7 +18,8 @@ struct Vertex {
   bool on_rim = false;
 };
 
-constexpr double kThin = 24.0 * kDegree;  ///< triangles with a smaller angle are mended at the end
+constexpr double kThin = 24.0 * kDegree;     ///< triangles with a smaller angle are mended at the end ...
+constexpr double kTooThin = 21.0 * kDegree;  ///< ... and may not stay if the angle is as small as this
 
 double smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 ab = (b - a).normalized(), bc = (c - b).normalized(), ca = (a - c).normalized();
@@ -57,7 +58,13 @@ class Remesher {
       flip();
       relax();
     }
-    for (int round = 0; round < 4 && mend_thin() > 0; ++round) {
+    // Where mending is stuck, as it may be in a crease, moving everything a little lets it go on.
+    for (int attempt = 0; attempt < 4; ++attempt) {
+      for (int round = 0; round < 4 && mend_thin() > 0; ++round) {
+      }
+      if (!has_thinner(kTooThin)) break;
+      flip();
+      relax();
     }
     return collect();
   }
@@ -160,27 +167,26 @@ class Remesher {
     }
   }
 
-  [[nodiscard]] int valence_excess(int v) {
-    edges_.neighbours(v, around_);
-    return static_cast<int>(around_.size()) - (vertex(v).on_rim ? 4 : 6);
-  }
-
   void flip() {
     const auto squared = [](int x) { return x * x; };
+    std::vector<int> valences = edges_.valences();
+    const auto valence = [&](int v) -> int& { return valences[static_cast<std::size_t>(v)]; };
+    const auto valence_excess = [&](int v) { return valence(v) - (vertex(v).on_rim ? 4 : 6); };
     for (int h = 0; h < edges_.count(); ++h) {
       const int t = edges_.is_alive(h) ? edges_.twin(h) : -1;
-      if (t < 0 || h < t || !can_flip(h)) continue;
+      if (t < 0 || h < t) continue;
       const int a = edges_.origin(h), b = edges_.target(h);
       const int c = edges_.origin(HalfEdges::previous(h)), d = edges_.origin(HalfEdges::previous(t));
       const int ea = valence_excess(a), eb = valence_excess(b), ec = valence_excess(c), ed = valence_excess(d);
       const int before = squared(ea) + squared(eb) + squared(ec) + squared(ed);
       const int after = squared(ea - 1) + squared(eb - 1) + squared(ec + 1) + squared(ed + 1);
-      if (after >= before) continue;
+      if (after >= before || !can_flip(h)) continue;
       const Vec3 n = area_vector(a, b, c) + area_vector(b, a, d);
       const Vec3 first = area_vector(d, c, a), second = area_vector(c, d, b);
       const double size = n.norm();
       if (first.dot(n) < 0.5 * first.norm() * size || second.dot(n) < 0.5 * second.norm() * size) continue;
       edges_.flip(h);
+      --valence(a), --valence(b), ++valence(c), ++valence(d);
     }
   }
 
@@ -213,6 +219,15 @@ class Remesher {
 
   [[nodiscard]] double smallest_angle(int a, int b, int c) const {
     return croquis::smallest_angle(vertex(a).position, vertex(b).position, vertex(c).position);
+  }
+
+  [[nodiscard]] bool has_thinner(double angle) const {
+    for (int h = 0; h < edges_.count(); h += 3) {
+      if (edges_.is_alive(h) && smallest_angle(edges_.origin(h), edges_.origin(h + 1), edges_.origin(h + 2)) < angle) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /// The smallest angle around v if it stood at `place`; 0 if a triangle would turn its back to the surface.

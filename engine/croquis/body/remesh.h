@@ -8,8 +8,8 @@ namespace croquis {
 
 struct RemeshOptions {
   int most_vertices = 7000;  ///< about: where the wanted lengths would make more, all of them grow
-  int rounds = 5;            ///< of splitting, collapsing, flipping, relaxing
-  int final_rounds = 3;      ///< of flipping and relaxing only
+  int rounds = 4;            ///< of splitting, collapsing, flipping, relaxing
+  int final_rounds = 2;      ///< of flipping and relaxing only
 };
 
 /// Makes the triangles of a surface's mesh near equilateral, with edges of the length that the surface asks for (its

@@ -9,8 +9,8 @@
 namespace croquis {
 namespace {
 
-/// Adds the mirror image of a half x >= 0; vertices with x = 0 are shared.
-void mirror(Triangulation& mesh) {
+/// Adds the mirror image of a half x >= 0; vertices with x = 0 are shared. vertex -> its mirror image.
+std::vector<int> mirror(Triangulation& mesh) {
   const std::size_t vertices = mesh.positions.size(), triangles = mesh.triangles.size();
   std::vector<int> image(vertices);
   for (std::size_t v = 0; v < vertices; ++v) {
@@ -24,6 +24,10 @@ void mirror(Triangulation& mesh) {
     std::swap(triangle[1], triangle[2]);
     mesh.triangles.push_back(triangle);
   }
+  for (std::size_t v = 0; v < vertices; ++v) {
+    if (image[v] != static_cast<int>(v)) image.push_back(static_cast<int>(v));
+  }
+  return image;
 }
 
 }  // namespace
@@ -31,18 +35,32 @@ void mirror(Triangulation& mesh) {
 Part build_part(Sculpture sculpture, const Armature& armature) {
   const ImplicitSurface surface(std::move(sculpture.root), sculpture.mirrored);
   Triangulation mesh = remesh(surface, polygonize(surface));
-  if (surface.mirrored()) mirror(mesh);
+  std::vector<Vec3f> normals;
+  for (const Vec3& position : mesh.positions) {
+    normals.push_back(surface.normal(position, 0.5 * surface.sample(position).detail).cast<float>());
+  }
+  std::vector<int> image;
+  if (surface.mirrored()) image = mirror(mesh);
   Part part;
   part.name = std::move(sculpture.name);
   part.material.base_color = sculpture.color;
-  for (const Vec3& position : mesh.positions) {
-    part.mesh.positions.push_back(position.cast<float>());
-    part.mesh.normals.push_back(surface.normal(position, 0.2 * surface.sample(position).detail).cast<float>());
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    part.mesh.positions.push_back(mesh.positions[v].cast<float>());
+    if (v >= normals.size()) {
+      const Vec3f& n = normals[static_cast<std::size_t>(image[v])];
+      part.mesh.normals.emplace_back(-n.x(), n.y(), n.z());
+    } else {
+      part.mesh.normals.push_back(normals[v]);
+      if (surface.mirrored() && mesh.positions[v].x() == 0.0) {
+        part.mesh.normals.back().x() = 0.0F;
+        part.mesh.normals.back().normalize();
+      }
+    }
   }
   for (const auto& triangle : mesh.triangles) {
     for (const int v : triangle) part.mesh.triangles.push_back(static_cast<std::uint32_t>(v));
   }
-  part.skin = compute_weights(surface, armature, mesh, sculpture.weights);
+  part.skin = compute_weights(surface, armature, mesh, image, sculpture.weights);
   return part;
 }
 

@@ -11,6 +11,7 @@ namespace croquis {
 namespace {
 
 constexpr double kTiny = 1e-9;
+constexpr std::size_t kAtOnce = 16;  ///< pieces of a loft whose distances are worked out in one go
 
 Vec3 orthogonal_part(const Vec3& v, const Vec3& unit) { return (v - v.dot(unit) * unit).normalized(); }
 
@@ -105,6 +106,11 @@ Loft::Loft(std::vector<Section> sections, const Vec3& side, const Vec3& front, d
     }
     pieces_.push_back(piece);
   }
+  axes_.resize(std::ssize(pieces_), 7);
+  for (Eigen::Index i = 0; i < axes_.rows(); ++i) {
+    const Piece& piece = pieces_[static_cast<std::size_t>(i)];
+    axes_.row(i) << piece.start.transpose().array(), piece.along.transpose().array(), piece.inverse_length2;
+  }
   if (cap_[0] < 0.0) cap_[0] = sections_.front().mean_radius();
   if (cap_[1] < 0.0) cap_[1] = sections_.back().mean_radius();
   for (const Section& s : sections_) {
@@ -119,14 +125,25 @@ Loft::Loft(std::vector<Section> sections, const Vec3& side, const Vec3& front, d
 Loft::Nearest Loft::nearest(const Vec3& point) const {
   std::size_t best = 0;
   double least = std::numeric_limits<double>::max();
-  for (std::size_t i = 0; i < pieces_.size(); ++i) {
-    const Piece& piece = pieces_[i];
-    const Vec3 d = point - piece.start;
-    const double s = std::clamp(d.dot(piece.along) * piece.inverse_length2, 0.0, 1.0);
-    const double distance2 = (d - s * piece.along).squaredNorm();
-    if (distance2 < least) {
-      best = i;
-      least = distance2;
+  const double px = point.x(), py = point.y(), pz = point.z();
+  const std::size_t count = pieces_.size();
+  const double* axes = axes_.data();
+  double distance2[kAtOnce];
+  for (std::size_t begin = 0; begin < count; begin += kAtOnce) {
+    const std::size_t some = std::min(kAtOnce, count - begin);
+    const double* axis = axes + begin;
+    for (std::size_t i = 0; i < some; ++i) {
+      const double x = px - axis[i], y = py - axis[count + i], z = pz - axis[2 * count + i];
+      const double ax = axis[3 * count + i], ay = axis[4 * count + i], az = axis[5 * count + i];
+      const double s = std::min(std::max((x * ax + y * ay + z * az) * axis[6 * count + i], 0.0), 1.0);
+      const double ox = x - s * ax, oy = y - s * ay, oz = z - s * az;
+      distance2[i] = ox * ox + oy * oy + oz * oz;
+    }
+    for (std::size_t i = 0; i < some; ++i) {
+      if (distance2[i] < least) {
+        best = begin + i;
+        least = distance2[i];
+      }
     }
   }
   // Where the axis bends, two pieces meet in the plane of their section: without this the outline would crease there.
@@ -192,6 +209,14 @@ Box Loft::box() const {
     box.extend(Vec3(s.center + Vec3::Constant(reach)));
   }
   return box;
+}
+
+double Loft::least_radius() const {
+  double least = std::numeric_limits<double>::max();
+  for (const Section& s : sections_) {
+    least = std::min({least, 0.5 * (s.side_plus + s.side_minus), 0.5 * (s.front_plus + s.front_minus)});
+  }
+  return least;
 }
 
 double Loft::radius_near(const Vec3& point) const {

@@ -54,6 +54,8 @@ class Loft {
   [[nodiscard]] ShapeSample sample(const Vec3& point) const;
   [[nodiscard]] const Ball& ball() const { return ball_; }
   [[nodiscard]] Box box() const;
+  /// The thinnest of its sections, to the thinnest side.
+  [[nodiscard]] double least_radius() const;
   /// The mean radius of the section nearest to a point.
   [[nodiscard]] double radius_near(const Vec3& point) const;
 
@@ -74,6 +76,8 @@ class Loft {
 
   std::vector<Section> sections_;
   std::vector<Piece> pieces_;
+  // What is asked of every piece, for all at once: starts, directions (by x, y, z) and inverse squared lengths.
+  Eigen::Array<double, Eigen::Dynamic, 7> axes_;
   double cap_[2];
   Ball ball_;
 };
@@ -87,6 +91,7 @@ class Ellipsoid {
   [[nodiscard]] const Ball& ball() const { return ball_; }
   [[nodiscard]] Box box() const;
   [[nodiscard]] double radius() const { return radii_.mean(); }
+  [[nodiscard]] double least_radius() const { return radii_.minCoeff(); }
 
  private:
   Vec3 center_, radii_;

@@ -4,7 +4,9 @@
 #include "croquis/body/weights.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/SparseCholesky>
 
@@ -50,28 +52,37 @@ struct Start {
   Eigen::VectorXd diffusion;  // t per vertex
 };
 
+/// Column of a joint or of its mirror image: of a mirrored body only the left and the middle joints are worked out.
+bool is_mirrored_later(const std::vector<int>& image, const Armature& armature, Eigen::Index joint) {
+  return !image.empty() && armature.mirror()[static_cast<std::size_t>(joint)] < joint;
+}
+
 Start start_weights(const ImplicitSurface& surface, const Armature& armature, const Triangulation& mesh,
-                    double spread) {
+                    const std::vector<int>& image, double spread) {
   const auto vertices = static_cast<Eigen::Index>(mesh.positions.size());
   const auto joints = static_cast<Eigen::Index>(armature.mirror().size());
   Start start{Eigen::MatrixXd::Zero(vertices, joints), Eigen::VectorXd::Zero(vertices)};
   Eigen::VectorXd weights(joints), mirrored(joints);
   for (Eigen::Index v = 0; v < vertices; ++v) {
-    Vec3 point = mesh.positions[static_cast<std::size_t>(v)];
-    const double x = point.x();
-    if (surface.mirrored()) point.x() = std::abs(x);
+    const Vec3& point = mesh.positions[static_cast<std::size_t>(v)];
+    const Eigen::Index other = image.empty() ? v : image[static_cast<std::size_t>(v)];
+    if (other < v) continue;  // done with its image
     weights.setZero();
     double radius = 0.0;
     for (const auto& [form, share] : surface.shares(point)) {
       add_chain(*form, armature, point, share, weights);
       radius += share * radius_of(*form, point);
     }
-    if (surface.mirrored() && x <= 0.0) {
-      for (Eigen::Index j = 0; j < joints; ++j) mirrored[armature.mirror()[static_cast<std::size_t>(j)]] = weights[j];
-      weights = x < 0.0 ? mirrored : Eigen::VectorXd(0.5 * (weights + mirrored));
+    if (!image.empty() && other == v) {
+      mirrored = weights(armature.mirror());
+      weights = 0.5 * (weights + mirrored);
     }
-    start.weights.row(v) = weights.transpose();
-    start.diffusion[v] = std::max(spread * spread * radius * radius, 1e-12);
+    for (Eigen::Index j = 0; j < joints; ++j) {
+      if (weights[j] == 0.0) continue;
+      start.weights(v, j) = weights[j];
+      if (other != v) start.weights(other, armature.mirror()[static_cast<std::size_t>(j)]) = weights[j];
+    }
+    start.diffusion[v] = start.diffusion[other] = std::max(spread * spread * radius * radius, 1e-12);
   }
   return start;
 }
@@ -102,7 +113,7 @@ Sparse build_laplacian(const Triangulation& mesh, Eigen::VectorXd& areas) {
   return laplacian;
 }
 
-void diffuse(const Triangulation& mesh, Start& start) {
+void diffuse(const Triangulation& mesh, const Armature& armature, const std::vector<int>& image, Start& start) {
   Eigen::VectorXd areas;
   Sparse system = build_laplacian(mesh, areas);
   const Eigen::VectorXd mass = areas.cwiseQuotient(start.diffusion);
@@ -110,6 +121,10 @@ void diffuse(const Triangulation& mesh, Start& start) {
   const Eigen::SimplicialLDLT<Sparse> solver(system);
   if (solver.info() != Eigen::Success) throw Error(ErrorCode::internal, "compute_weights: the diffusion has no factor");
   for (Eigen::Index j = 0; j < start.weights.cols(); ++j) {
+    if (is_mirrored_later(image, armature, j)) {
+      start.weights.col(j) = start.weights.col(armature.mirror()[static_cast<std::size_t>(j)])(image);
+      continue;
+    }
     const Eigen::VectorXd given = mass.cwiseProduct(start.weights.col(j));
     if (given.isZero(0.0)) continue;
     start.weights.col(j) = solver.solve(given);
@@ -119,23 +134,28 @@ void diffuse(const Triangulation& mesh, Start& start) {
 }  // namespace
 
 Skin compute_weights(const ImplicitSurface& surface, const Armature& armature, const Triangulation& mesh,
-                     const WeightOptions& options) {
-  Start start = start_weights(surface, armature, mesh, options.spread);
-  diffuse(mesh, start);
+                     const std::vector<int>& image, const WeightOptions& options) {
+  Start start = start_weights(surface, armature, mesh, image, options.spread);
+  diffuse(mesh, armature, image, start);
   Skin skin;
   const Skeleton skeleton = armature.skeleton();
   for (int j = 0; j < skeleton.joint_count(); ++j) {
     skin.joints.push_back(j);
     skin.inverse_bind.push_back(skeleton.rest_model(j).inverse());
   }
-  std::vector<std::pair<double, int>> vertex;
-  for (Eigen::Index v = 0; v < start.weights.rows(); ++v) {
-    vertex.clear();
-    for (int j = 0; j < skeleton.joint_count(); ++j) {
-      if (start.weights(v, j) > 0.004) vertex.emplace_back(start.weights(v, j), j);
+  // The four largest of each vertex, largest first; a joint at a time, as the matrix lies in memory.
+  using Influence = std::pair<double, int>;
+  std::vector<std::array<Influence, 4>> largest(mesh.positions.size());
+  for (int j = 0; j < skeleton.joint_count(); ++j) {
+    for (Eigen::Index v = 0; v < start.weights.rows(); ++v) {
+      if (start.weights(v, j) <= 0.004) continue;
+      Influence one{start.weights(v, j), j};
+      for (Influence& kept : largest[static_cast<std::size_t>(v)]) {
+        if (one.first > kept.first) std::swap(one, kept);
+      }
     }
-    std::stable_sort(vertex.begin(), vertex.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-    vertex.resize(4, {0.0, 0});
+  }
+  for (const auto& vertex : largest) {
     for (const auto& [weight, joint] : vertex) {
       skin.joint_indices.push_back(static_cast<std::uint16_t>(joint));
       skin.weights.push_back(static_cast<float>(weight));

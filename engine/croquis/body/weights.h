@@ -17,8 +17,9 @@ struct WeightOptions {
 /// the next as a smooth step across the plane that halves the angle of the two bones; the whole is then diffused along
 /// the surface,
 ///     (M / t + L) w = (M / t) w0,   t = (spread * local radius)^2,
-/// with M the vertices' areas and L the cotangent Laplacian. On a mirrored surface the weights are mirror images.
+/// with M the vertices' areas and L the cotangent Laplacian. On a mirrored surface the weights are mirror images:
+/// `image` is each vertex's mirror image there (a vertex with x = 0 is its own), and empty on any other surface.
 [[nodiscard]] Skin compute_weights(const ImplicitSurface& surface, const Armature& armature, const Triangulation& mesh,
-                                   const WeightOptions& options = {});
+                                   const std::vector<int>& image, const WeightOptions& options = {});
 
 }  // namespace croquis
