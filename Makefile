@@ -7,7 +7,7 @@ FUZZ_SECONDS ?= 600
 help:
 	@echo 'make demo     build the program; pose the mannequin along a drawn line: out/demo.glb and out/demo.png'
 	@echo 'make build    build the program: build/release/croquis'
-	@echo 'make test     build and run every test: native, with sanitizers, as WebAssembly, format, fuzz'
+	@echo 'make test     build and run every test: native, with sanitizers, as WebAssembly, format, lint, fuzz'
 	@echo 'make studio   build the drawing table for the browser and serve it on this machine'
 	@echo 'make bench    build and run the benchmarks'
 	@echo 'make bench-lines  how near the methods of posing come to poses of real people'

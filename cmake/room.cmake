@@ -29,4 +29,7 @@ function(croquis_test name)
     target_link_options(${name} PRIVATE -sNODERAWFS=1 -sEXIT_RUNTIME=1)
   endif()
   add_test(NAME ${name} COMMAND ${name})
+  # Where ctest has no times of earlier runs, long tests go first: as a rule those of many files.
+  list(LENGTH TEST_SOURCES files)
+  set_tests_properties(${name} PROPERTIES COST ${files})
 endfunction()

@@ -29,7 +29,7 @@ int SkinBuilder::add(const Skin& skin, const std::vector<int>& node_of_joint) {
     joints.push_back(i);
     inverse_bind.push_back(skeleton.rest_model(i).inverse());
   }
-  skins_.emplace_back(&skin, add_palette(std::move(joints), std::move(inverse_bind), node_of_joint));
+  skins_.emplace_back(&skin, add_palette(joints, inverse_bind, node_of_joint));
   return skins_.back().second;
 }
 
@@ -41,7 +41,7 @@ void SkinBuilder::add_bones(const std::vector<int>& node_of_joint) {
     joints.push_back(i);
     inverse_bind.push_back(character_.skeleton.rest_model(i).inverse());
   }
-  if (joints.size() > 1) (void)add_palette(std::move(joints), std::move(inverse_bind), node_of_joint);
+  if (joints.size() > 1) (void)add_palette(joints, inverse_bind, node_of_joint);
 }
 
 int SkinBuilder::add_palette(const std::vector<int>& joints, const std::vector<Affine>& inverse_bind,

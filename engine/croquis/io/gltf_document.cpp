@@ -195,7 +195,7 @@ GltfDocument open_gltf(std::span<const std::byte> bytes, std::string_view file_n
   source->format = format == "vrm" || format == "vrma" ? format : is_glb(bytes) ? "glb" : "gltf";
   source->name = file_name;
   source->bytes.assign(bytes.begin(), bytes.end());
-  return open_source(std::move(source), resources);
+  return open_source(source, resources);
 }
 
 GltfDocument open_gltf(const std::shared_ptr<const SourceFile>& source) {

@@ -14,13 +14,13 @@
 namespace croquis::cli {
 namespace {
 
-struct Options {
+struct CharacterArguments {
   std::string name;
   std::string output;
   ProportionOptions proportions;
 };
 
-void run(const Options& options) {
+void run_character(const CharacterArguments& options) {
   Outputs outputs;
   const std::string format = output_format(options.output, character_formats());
   outputs.announce(options.output);
@@ -35,7 +35,7 @@ void run(const Options& options) {
 }  // namespace
 
 Command add_character_command(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CharacterArguments>();
   CLI::App* command = program.add_subcommand("character", "Writes a built-in character as a file");
   command->add_option("NAME", options->name, "One of " + join(builtin_character_names(), ", "))->required();
   command->add_option("-o,--output", options->output, "The file: .glb, .gltf, .bvh or .croquis")
@@ -43,7 +43,7 @@ Command add_character_command(CLI::App& program) {
       ->type_name("OUT");
   options->proportions.add_to(*command);
   command->footer("Example:\n  croquis character mannequin --heads 6 --hands 1.3 -o mannequin.glb");
-  return {command, [options] { run(*options); }};
+  return {command, [options] { run_character(*options); }};
 }
 
 }  // namespace croquis::cli

@@ -14,12 +14,12 @@
 namespace croquis::cli {
 namespace {
 
-struct Options {
+struct ConvertArguments {
   std::string input;
   std::string output;
 };
 
-void run(const Options& options) {
+void run_convert(const ConvertArguments& options) {
   Outputs outputs;
   const std::string format = output_format(options.output, character_formats());
   outputs.announce(options.output);
@@ -44,13 +44,13 @@ void run(const Options& options) {
 }  // namespace
 
 Command add_convert_command(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ConvertArguments>();
   CLI::App* command = program.add_subcommand("convert", "Reads a file in one format and writes it in another");
   command->add_option("IN", options->input, "Read: .glb, .gltf, .vrm, .bvh, .obj, .croquis, or a built-in character")
       ->required();
   command->add_option("OUT", options->output, "Written: " + join(character_formats(), ", "))->required();
   command->footer("Example:\n  croquis convert cat cat.gltf");
-  return {command, [options] { run(*options); }};
+  return {command, [options] { run_convert(*options); }};
 }
 
 }  // namespace croquis::cli

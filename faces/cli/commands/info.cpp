@@ -11,12 +11,12 @@
 namespace croquis::cli {
 namespace {
 
-struct Options {
+struct InfoArguments {
   std::string input;
   bool json = false;
 };
 
-void run(const Options& options) {
+void run_info(const InfoArguments& options) {
   nlohmann::ordered_json description;
   {
     Progress progress;
@@ -33,12 +33,12 @@ void run(const Options& options) {
 }  // namespace
 
 Command add_info_command(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<InfoArguments>();
   CLI::App* command = program.add_subcommand("info", "Tells what is in a file");
   command->add_option("FILE", options->input, "A character, a project, or a built-in character")->required();
   command->add_flag("--json", options->json, "As one JSON object [default: as text]");
   command->footer("Example:\n  croquis info mannequin");
-  return {command, [options] { run(*options); }};
+  return {command, [options] { run_info(*options); }};
 }
 
 }  // namespace croquis::cli

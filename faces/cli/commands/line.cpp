@@ -21,7 +21,7 @@
 namespace croquis::cli {
 namespace {
 
-struct Options {
+struct LineArguments {
   std::string rig;
   std::string output;
   std::string joints;
@@ -48,7 +48,7 @@ std::string to_text(const PoseLine& read, const std::string& output) {
          format_double(read.character.turn_degrees, 3) + " degrees\nWrote " + output + "\n";
 }
 
-void run(const Options& options) {
+void run_line(const LineArguments& options) {
   Outputs outputs;
   (void)output_format(options.output, {"svg"});
   outputs.announce(options.output);
@@ -71,7 +71,7 @@ void run(const Options& options) {
 }  // namespace
 
 Command add_line_command(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<LineArguments>();
   CLI::App* command = program.add_subcommand("line", "Reads the line of action off a pose, as a drawing");
   command
       ->add_option("RIG", options->rig,
@@ -94,7 +94,7 @@ Command add_line_command(CLI::App& program) {
   options->view.add_to(*command);
   command->add_flag("--json", options->json, "Report shape and strength as one JSON object [default: as text]");
   command->footer("Example:\n  croquis line mannequin --body-line left_foot-head --view left -o line.svg");
-  return {command, [options] { run(*options); }};
+  return {command, [options] { run_line(*options); }};
 }
 
 }  // namespace croquis::cli

@@ -24,7 +24,7 @@
 namespace croquis::cli {
 namespace {
 
-struct Options {
+struct PoseArguments {
   std::string rig;
   LineOptions line;
   ViewOptions view;
@@ -59,7 +59,7 @@ Project at_start(const Project& project, const std::string& start) {
   }
 }
 
-void run(const Options& options) {
+void run_pose(const PoseArguments& options) {
   Outputs outputs;
   const std::string format = output_format(options.output, character_formats());
   outputs.announce(options.output);
@@ -106,7 +106,7 @@ void run(const Options& options) {
 }  // namespace
 
 Command add_pose_command(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PoseArguments>();
   CLI::App* command = program.add_subcommand("pose", "Poses a character along a drawn line");
   command
       ->add_option("RIG", options->rig, "Any file with a skeleton, or one of " + join(builtin_character_names(), ", "))
@@ -138,7 +138,7 @@ Command add_pose_command(CLI::App& program) {
       "Example:\n"
       "  croquis pose mannequin --line line.svg --body-line left_foot-head --view front -o posed.glb "
       "--picture posed.png");
-  return {command, [options] { run(*options); }};
+  return {command, [options] { run_pose(*options); }};
 }
 
 }  // namespace croquis::cli

@@ -15,7 +15,7 @@
 namespace croquis::cli {
 namespace {
 
-struct Options {
+struct RenderArguments {
   std::string input;
   std::string output;
   ViewOptions view;
@@ -26,7 +26,7 @@ struct Options {
   ProportionOptions proportions;
 };
 
-void run(const Options& options) {
+void run_render(const RenderArguments& options) {
   Outputs outputs;
   (void)output_format(options.output, {"png"});
   outputs.announce(options.output);
@@ -48,7 +48,7 @@ void run(const Options& options) {
 }  // namespace
 
 Command add_render_command(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RenderArguments>();
   CLI::App* command = program.add_subcommand("render", "Draws a picture of a file as it stands");
   command->add_option("FILE", options->input, "A character, a project, or a built-in character")->required();
   command->add_option("-o,--output", options->output, "The picture, a .png")->required()->type_name("OUT.png");
@@ -60,7 +60,7 @@ Command add_render_command(CLI::App& program) {
   command->add_option("--skinning", options->skinning, "linear or dual-quaternion")->type_name("METHOD");
   options->proportions.add_to(*command);
   command->footer("Example:\n  croquis render mannequin --view three-quarter --size 800x1000 -o mannequin.png");
-  return {command, [options] { run(*options); }};
+  return {command, [options] { run_render(*options); }};
 }
 
 }  // namespace croquis::cli

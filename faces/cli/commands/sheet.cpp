@@ -19,7 +19,7 @@
 namespace croquis::cli {
 namespace {
 
-struct Options {
+struct SheetArguments {
   std::vector<std::string> rigs;
   std::string output;
   std::string gestures;
@@ -46,7 +46,8 @@ std::vector<Gesture> chosen_gestures(const std::string& list) {
 }
 
 /// Drawn at twice the size and halved: small figures want smooth edges.
-Image cell_of(PictureRenderer& renderer, const Project& project, const Gesture& gesture, const Options& options) {
+Image cell_of(PictureRenderer& renderer, const Project& project, const Gesture& gesture,
+              const SheetArguments& options) {
   const GesturePose posed = pose_gesture(project, gesture, 2 * options.cell);
   std::vector<Stroke> ink;
   for (const PlacedStroke& stroke : posed.project.strokes) ink.push_back(stroke.stroke);
@@ -57,7 +58,7 @@ Image cell_of(PictureRenderer& renderer, const Project& project, const Gesture& 
   return halve(renderer.render({{actor.character.get(), &actor.pose}}, posed.camera, ink, look));
 }
 
-void run(const Options& options) {
+void run_sheet(const SheetArguments& options) {
   Outputs outputs;
   (void)output_format(options.output, {"png"});
   outputs.announce(options.output);
@@ -88,7 +89,7 @@ void run(const Options& options) {
 }  // namespace
 
 Command add_sheet_command(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SheetArguments>();
   std::vector<std::string> names;
   for (const Gesture& gesture : all_gestures()) names.push_back(gesture.name);
   CLI::App* command = program.add_subcommand("sheet", "Draws characters in the gestures that people learn from");
@@ -104,7 +105,7 @@ Command add_sheet_command(CLI::App& program) {
   command->add_flag("--skeleton", options->skeleton, "Draw the bones over the bodies [default: off]");
   command->add_flag("--no-line", options->no_line, "Leave the drawn lines out [default: off]");
   command->footer("Example:\n  croquis sheet mannequin snake --cell 128 -o sheet.png");
-  return {command, [options] { run(*options); }};
+  return {command, [options] { run_sheet(*options); }};
 }
 
 }  // namespace croquis::cli

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kHost = "127.0.0.1";
 
-struct Options {
+struct StudioArguments {
   int port = 8431;
   std::string page;
 };
@@ -42,14 +42,14 @@ fs::path find_page(const std::string& asked) {
   throw Error(ErrorCode::io, "the studio is not built: run 'make studio' once, or name its folder with --page");
 }
 
-void run(const Options& options) {
+void run_studio(const StudioArguments& options) {
   const fs::path page = find_page(options.page);
   httplib::Server server;
   // Whatever leaves the page's folder is refused by the mount point itself.
   server.set_mount_point("/", page.string());
   server.set_file_extension_and_mimetype_mapping("webmanifest", "application/manifest+json");
   server.set_file_extension_and_mimetype_mapping("wasm", "application/wasm");
-  server.set_default_headers({{"Cache-Control", "no-cache"}, {"X-Content-Type-Options", "nosniff"}});
+  server.set_default_headers({{"Cache-Control", "no-cache"}, {"X-Content-Type-StudioArguments", "nosniff"}});
   // The library's own choice would share a port that is taken.
   server.set_socket_options([](socket_t socket) {
     const int yes = 1;
@@ -69,7 +69,7 @@ void run(const Options& options) {
 }  // namespace
 
 Command add_studio_command(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<StudioArguments>();
   CLI::App* command = program.add_subcommand("studio", "Serves the drawing table to a browser on this machine");
   command->add_option("--port", options->port, "The port on 127.0.0.1; 0 takes any that is free")
       ->check(CLI::Range(0, 65535))
@@ -78,7 +78,7 @@ Command add_studio_command(CLI::App& program) {
       ->type_name("FOLDER")
       ->default_str("beside the program");
   command->footer("Example:\n  croquis studio --port 8431");
-  return {command, [options] { run(*options); }};
+  return {command, [options] { run_studio(*options); }};
 }
 
 }  // namespace croquis::cli
