@@ -65,9 +65,13 @@ Camera load_camera(const std::string& file) {
   });
 }
 
-std::vector<Stroke> load_strokes(const std::string& file, int width_px, int height_px) {
+std::vector<Stroke> load_strokes(const std::string& file, const Camera& camera) {
   const Bytes bytes = read_file(file);
-  return naming(file, [&] { return read_svg_strokes(bytes, width_px, height_px); });
+  return naming(file, [&] {
+    std::vector<Stroke> strokes = read_svg_strokes(bytes, camera.width_px, camera.height_px);
+    for (const Stroke& stroke : strokes) check_stroke(stroke, camera);
+    return strokes;
+  });
 }
 
 Character load_start(const std::string& file_and_frame) {

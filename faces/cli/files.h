@@ -18,7 +18,7 @@ namespace croquis::cli {
 [[nodiscard]] Project at_frame(Project project, int frame, const std::string& file);
 
 [[nodiscard]] Camera load_camera(const std::string& file);
-[[nodiscard]] std::vector<Stroke> load_strokes(const std::string& file, int width_px, int height_px);
+[[nodiscard]] std::vector<Stroke> load_strokes(const std::string& file, const Camera& camera);
 
 /// "FILE:N" is frame N of FILE, "FILE" the pose the file opens in; a last colon followed by digits makes the
 /// difference.

@@ -55,6 +55,13 @@ int fail_usage(const CLI::App& program, const CLI::ParseError& error) {
   }
   std::string text = error.what();
   if (const auto end = text.find('\n'); end != std::string::npos) text.resize(end);
+  // "Could not convert: --heads = abc"
+  if (error.get_name() == "ConversionError") {
+    const auto option = text.find("--"), given = text.find(" = ");
+    if (option != std::string::npos && given != std::string::npos) {
+      text = text.substr(option, given - option) + " '" + text.substr(given + 3) + "': wanted a number";
+    }
+  }
   const std::vector<std::string> extras = program.remaining(true);
   if (!extras.empty()) {
     const auto option = std::find_if(extras.begin(), extras.end(), [](const auto& word) { return word[0] == '-'; });

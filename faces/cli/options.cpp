@@ -80,6 +80,9 @@ void ProportionOptions::check(const std::string& file) const {
     throw_invalid_argument("proportions are for the built-in characters (" + join(builtin_character_names(), ", ") +
                            "), not for " + file);
   }
+  if (proportions.heads != Proportions{}.heads && file != "mannequin") {
+    throw_invalid_argument("--heads is for the mannequin, not for " + file);
+  }
 }
 
 SkinningMethod parse_skinning(const std::string& word) {

@@ -14,7 +14,6 @@ namespace fs = std::filesystem;
 void Outputs::announce(const std::string& path) {
   const fs::path folder = fs::path(path).parent_path();
   std::error_code ignored;
-  if (path.empty()) throw_invalid_argument("an output has an empty name");
   if (!folder.empty() && !fs::is_directory(folder, ignored)) {
     throw Error(ErrorCode::io, path + ": there is no folder " + folder.string());
   }
@@ -42,6 +41,7 @@ void Outputs::write() const {
 }
 
 std::string output_format(const std::string& path, const std::vector<std::string>& wanted) {
+  if (path.empty()) throw_invalid_argument("an output has an empty name");
   std::string format = file_format(path);
   if (std::find(wanted.begin(), wanted.end(), format) == wanted.end()) {
     throw_invalid_argument(path + ": wanted a name that ends in ." + join(wanted, ", ."));

@@ -104,6 +104,10 @@ const wrong = {
   'a frame of a start without clips': ['pose', 'mannequin', '--start', 'mannequin:1', '-o', 'x.glb'],
   'an unknown character': ['character', 'dragon', '-o', 'x.glb'],
   'a proportion out of range': ['character', 'mannequin', '--heads', '30', '-o', 'x.glb'],
+  'heads of a cat': ['character', 'cat', '--heads', '5', '-o', 'x.glb'],
+  'an output of no name': ['pose', 'mannequin', '-o', ''],
+  'a line far off the view': ['pose', 'mannequin', '--line', 'far.svg', '-o', 'x.glb'],
+  'a proportion that is no number': ['character', 'mannequin', '--heads', 'six', '-o', 'x.glb'],
   'proportions of a file': ['render', 'nowhere.glb', '--heads', '6', '-o', 'x.png'],
   'stretched bones in a BVH': ['pose', 'mannequin', '--line', 'line.svg', '--method', 'curvilinear', '-o', 'x.bvh'],
 };
@@ -111,6 +115,7 @@ for (const [what, args] of Object.entries(wrong)) {
   test(`${what} ends in status 2 and one line`, () => {
     const folder = makeFolder();
     writeFileSync(join(folder, 'line.svg'), line);
+    writeFileSync(join(folder, 'far.svg'), '<svg viewBox="0 0 1024 1024"><path d="M5000 5000 L6000 6000"/></svg>');
     writeFileSync(join(folder, 'dot.svg'), '<svg><path d="M5 5L5 5"/></svg>');
     writeFileSync(join(folder, 'camera.json'), '{"projection":"orthographic","height":2,"position":[0,1,5],"target":[0,1,0],"up":[0,1,0],"width":512,"height_px":512}');
     assert.equal(faultOf(croquis(args, { cwd: folder }), [2]), undefined);
@@ -123,4 +128,11 @@ test('a usage error says where help is, a misspelt word which was meant', () => 
   writeFileSync(join(folder, 'line.svg'), line);
   const run = croquis(['pose', 'mannequin', '--line', 'line.svg', '--joints', 'hips,haed', '-o', 'x.glb'], { cwd: folder });
   assert.match(run.stderr, /'haed'.*'head'/);
+  assert.match(croquis(['character', 'mannequin', '--heads', 'six', '-o', 'x.glb']).stderr, /--heads 'six': wanted a number/);
+});
+
+test('a stroke outside the view is told by the name of its file', () => {
+  const folder = makeFolder();
+  writeFileSync(join(folder, 'far.svg'), '<svg viewBox="0 0 1024 1024"><path d="M5000 5000 L6000 6000"/></svg>');
+  assert.match(croquis(['pose', 'mannequin', '--line', 'far.svg', '-o', 'x.glb'], { cwd: folder }).stderr, /^croquis: far\.svg: /);
 });

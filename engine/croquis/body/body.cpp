@@ -16,7 +16,7 @@ namespace {
 void check(const Proportions& p) {
   const auto want = [](const char* name, double value, double low, double high) {
     if (value >= low && value <= high) return;
-    throw_invalid_argument("make_builtin_character: " + std::string(name) + " is " + format_double(value) +
+    throw_invalid_argument("proportions of a built-in character: " + std::string(name) + " is " + format_double(value) +
                            ", wanted " + format_double(low) + " to " + format_double(high));
   };
   want("heads", p.heads, 3.0, 9.0);

@@ -24,6 +24,7 @@ void run_character(const CharacterArguments& options) {
   Outputs outputs;
   const std::string format = output_format(options.output, character_formats());
   outputs.announce(options.output);
+  if (is_builtin_character(options.name)) options.proportions.check(options.name);
   Progress progress;
   progress.at("Building " + options.name);
   const Project project = add_builtin_character({}, options.name, options.proportions.proportions);

@@ -150,7 +150,7 @@ PlacedLines read_lines(const LineOptions& options, const Project& project, const
   if (!options.joints.empty()) placed.settings.joints = parse_joint_list(character.skeleton, options.joints);
   const std::string& asked = options.settings.body_line;
   const bool said = !placed.settings.joints.empty() || (!asked.empty() && asked != "auto");
-  std::vector<Stroke> strokes = load_strokes(options.file, camera.width_px, camera.height_px);
+  std::vector<Stroke> strokes = load_strokes(options.file, camera);
   if (said && strokes.size() > 1) {
     notices.push_back(options.file + " holds " + std::to_string(strokes.size()) +
                       " strokes, of which 1 is used: --joints and --body-line are for one");
