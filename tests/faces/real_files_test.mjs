@@ -37,7 +37,7 @@ function curve(from, heading, length, turn) {
   }
   return points;
 }
-const shapes = { C: (t) => 1.6 * (t - 0.5), S: (t) => 0.9 * Math.sin(2 * Math.PI * t) };
+const shapes = { C: (t) => 1.6 * (t - 0.5), S: (t) => 0.7 * Math.cos(2 * Math.PI * t) };
 
 for (const rig of rigs) {
   const file = dataPath(rig);
