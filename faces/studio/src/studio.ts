@@ -3,7 +3,7 @@
 import { effect, signal } from '@preact/signals';
 import * as THREE from 'three';
 import type { EngineClient } from './engine/client';
-import type { CameraSpec, Command, ExportFormat, PoseFrame, Sample, StrokeInfo, TableState, Vec3 } from './engine/protocol';
+import type { ActorInfo, CameraSpec, Command, ExportFormat, PoseFrame, Sample, StrokeInfo, Vec3 } from './engine/protocol';
 import { t } from './i18n/strings';
 import type { Journal } from './model/journal';
 import { keepAll } from './model/pose_shelf';
@@ -58,7 +58,7 @@ export class Studio {
       undo: () => void this.table.undo(),
       redo: () => void this.table.redo(),
     });
-    this.table.onState = (state) => this.follow(state);
+    this.table.onState = () => this.follow();
     this.table.onFrames = (frames) => this.showFrames(frames);
     this.stage.onDrawn = () => this.drawInk();
     effect(() => {
@@ -326,20 +326,19 @@ export class Studio {
     return near.at(-1)?.id ?? null;
   }
 
-  private async follow(state: TableState): Promise<void> {
-    const wanted = new Map(state.actors.map((actor) => [actor.id, actor]));
-    for (const [id, view] of [...this.stage.characters]) {
-      const actor = wanted.get(id);
-      if (!actor || actor.palette_size !== view.info.palette_size || JSON.stringify(actor.proportions) !== JSON.stringify(view.info.proportions)) {
-        this.stage.removeCharacter(id);
-      }
-    }
-    for (const actor of state.actors) {
-      if (!this.stage.characters.has(actor.id)) {
+  /** Brings the characters of the stage in line with the table's. */
+  private async follow(): Promise<void> {
+    const now = (id: number) => this.table.state.value.actors.find((actor) => actor.id === id);
+    for (const [id, view] of [...this.stage.characters]) if (!isSameBody(now(id), view.info)) this.stage.removeCharacter(id);
+    for (const actor of this.table.state.value.actors) {
+      if (this.stage.characters.has(actor.id)) continue;
+      try {
         await this.stage.addCharacter(actor, (part) => this.table.engine.geometry(actor.id, part));
-        const now = await this.table.engine.cancelPreview();
-        this.showFrames(now.frames);
+      } catch (error) {
+        if (now(actor.id)) throw error; // otherwise it was taken away while its buffers came
+        continue;
       }
+      this.showFrames((await this.table.engine.cancelPreview()).frames);
     }
     this.stage.invalidate();
   }
@@ -358,4 +357,8 @@ export class Studio {
   private drawInk(helpers = true): void {
     this.overlay.draw(this.live, this.hovered, helpers);
   }
+}
+
+function isSameBody(a: ActorInfo | undefined, b: ActorInfo): boolean {
+  return a !== undefined && a.palette_size === b.palette_size && JSON.stringify(a.proportions) === JSON.stringify(b.proportions);
 }

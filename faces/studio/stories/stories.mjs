@@ -42,7 +42,8 @@ story('a pen draws a line: the joints follow while it moves, and one undo restor
   const before = await visit.joints();
   let during;
   await visit.draw(await lean(visit), async () => {
-    await visit.page.waitForFunction(() => globalThis.croquis.table.timings.length > 3);
+    await visit.moved(before, 0.02);
+    await visit.settled(); // the newest preview is shown
     during = await visit.joints();
   });
   assert.ok(distance(before, during) > 0.02, 'the body moved while the pen was down');
@@ -53,10 +54,11 @@ story('a pen draws a line: the joints follow while it moves, and one undo restor
   const after = await visit.joints();
   assert.ok(distance(after, during) < 0.02, 'lifting the pen changes next to nothing');
   await visit.page.keyboard.press('Control+z');
+  await visit.until(() => globalThis.croquis.table.state.value.strokes.length === 0);
   await visit.settled();
   assert.ok(distance(before, await visit.joints()) < 1e-6, 'undo restores the pose');
-  assert.equal((await visit.state()).strokes.length, 0);
   await visit.page.keyboard.press('Control+Shift+Z');
+  await visit.undoSays('draw');
   await visit.settled();
   assert.ok(distance(after, await visit.joints()) < 1e-6, 'redo brings it back');
 });
@@ -66,10 +68,13 @@ story('the readings of a line can be cycled, the body following', {}, async (vis
   const first = await visit.joints();
   const count = await visit.page.evaluate(() => globalThis.croquis.table.solved.value.alternatives.length);
   assert.ok(count > 1, 'there is more than one reading');
+  const chosen = (wanted) => visit.until((alternative) => globalThis.croquis.table.state.value.strokes[0].settings.alternative === alternative, wanted);
   await visit.page.keyboard.press(']');
+  await chosen(1);
   await visit.settled();
   assert.ok(distance(first, await visit.joints()) > 1e-3, 'another reading is another pose');
   await visit.page.keyboard.press('[');
+  await chosen(0);
   await visit.settled();
   assert.ok(distance(first, await visit.joints()) < 1e-6, 'and back');
 });
@@ -134,6 +139,7 @@ story('the shelf has poses and hands, and a pose of it is applied by a tap', {},
   assert.ok(shelf.poses.filter((pose) => pose.kind === 'hand').length >= 8);
   const before = await visit.joints();
   await visit.page.locator('.pose-card').nth(4).click();
+  await visit.undoSays('pose');
   await visit.settled();
   assert.ok(distance(before, await visit.joints()) > 0.1);
   assert.ok(await visit.run({ name: 'keep_pose', actor: (await visit.state()).actors[0].id, pose_name: 'Mine' }));
@@ -185,13 +191,8 @@ story('a character of 100,000 vertices follows the pen, with one upload a pose',
 });
 
 story('joints are picked by hand, and a selection that is no line is told of', {}, async (visit) => {
-  const tap = async (name) => {
-    const { x, y } = await visit.pixel(name);
-    await visit.pen('mousePressed', x, y, 0.5);
-    await visit.pen('mouseReleased', x, y, 0);
-    await visit.settled();
-  };
-  const told = (test) => visit.page.waitForFunction(test);
+  const tap = async (name) => visit.tap(await visit.pixel(name));
+  const told = (test) => visit.until(test);
   await visit.page.keyboard.press('q');
   for (const bone of ['leftUpperArm', 'leftLowerArm', 'leftHand']) await tap(bone);
   await told(() => globalThis.croquis.table.segments.value.length > 0);
@@ -209,11 +210,9 @@ story('joints are picked by hand, and a selection that is no line is told of', {
 
 story('a foot is pinned from the bar of its joint, and stays while the hips are dragged', {}, async (visit) => {
   await visit.page.keyboard.press('g');
-  const foot = await visit.pixel('leftFoot');
-  await visit.pen('mousePressed', foot.x, foot.y, 0.5);
-  await visit.pen('mouseReleased', foot.x, foot.y, 0);
+  await visit.tap(await visit.pixel('leftFoot'));
   await visit.page.locator('.joint-bar button').first().click();
-  await visit.settled();
+  await visit.undoSays('pin');
   const { actors } = await visit.state();
   assert.equal(actors[0].pins.length, 1);
   const at = async (bone) => {
@@ -328,7 +327,7 @@ story('a tab that is killed gives back the project with its history', {}, async 
   await visit.draw(await lean(visit, -70));
   const posed = await visit.joints();
   const { strokes } = await visit.state();
-  await visit.page.waitForTimeout(1000); // what is promised to be written within a second
+  await visit.written(3); // the mannequin and two lines
   visit.wire.send('Page.crash').catch(() => {}); // it never answers
   await visit.page.waitForEvent('crash');
   await visit.page.close({ runBeforeUnload: false });
@@ -337,8 +336,7 @@ story('a tab that is killed gives back the project with its history', {}, async 
   assert.equal((await visit.state()).strokes.length, strokes.length);
   await visit.page.keyboard.press('Control+z');
   await visit.page.keyboard.press('Control+z');
-  await visit.settled();
-  assert.equal((await visit.state()).strokes.length, 0, 'and can be undone');
+  await visit.until(() => globalThis.croquis.table.state.value.strokes.length === 0); // and can be undone
 });
 
 test('the page works with the network off', { timeout: 900_000 }, async () => {
@@ -363,8 +361,7 @@ story('fingers: one draws, two navigate, a tap of two undoes, of three redoes', 
   for (const p of arc(hips, { x: hips.x + 10, y: (hips.y + head.y) / 2 }, { x: head.x + 80, y: head.y })) {
     await visit.wire.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: [{ ...p, id: 0 }] });
   }
-  await visit.wire.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
-  await visit.settled();
+  await visit.lifted(1, () => visit.wire.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] }));
   assert.equal((await visit.state()).strokes.length, 1, 'one finger drew');
   const before = await visit.page.evaluate(() => globalThis.croquis.stage.rig.state.height);
   await visit.fingers(2, async (move) => {
@@ -380,18 +377,22 @@ story('fingers: one draws, two navigate, a tap of two undoes, of three redoes', 
 
 story('everything can be reached with the keyboard alone', {}, async (visit) => {
   const { page } = visit;
+  // As fast as a person can never type: not one letter may be lost, and none may be taken for a key of the table.
   await page.keyboard.press('Control+k');
   await page.keyboard.type('mirror pose');
   await page.keyboard.press('Enter');
-  await visit.settled();
-  assert.equal((await visit.state()).undo, 'mirror');
+  await visit.undoSays('mirror');
+  assert.equal(await page.evaluate(() => globalThis.croquis.tool.value), 'draw', 'the r of mirror chose no tool');
   await page.keyboard.press('Control+k');
   await page.keyboard.type('add cat');
   await page.keyboard.press('Enter');
-  await page.waitForFunction(() => globalThis.croquis.table.state.value.actors.length === 2);
+  await visit.until(() => globalThis.croquis.stage.characters.size === 2);
   await page.keyboard.press('7');
-  const elevation = await page.evaluate(() => globalThis.croquis.stage.rig.state.elevation);
-  assert.ok(elevation > 1.5, 'the top view');
+  await visit.until(() => globalThis.croquis.stage.rig.state.elevation > 1.5); // the top view
+  await page.keyboard.press('F3');
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('9');
+  await visit.until(() => globalThis.croquis.stage.rig.state.elevation < 0.5); // the keys are the table's again
   const reached = new Set();
   for (let i = 0; i < 60; ++i) {
     await page.keyboard.press('Tab');

@@ -75,12 +75,30 @@ export class Visit {
     }, actor);
   }
 
+  /** Waits for a condition in the page, never for time. */
+  until(condition, argument) {
+    return this.page.waitForFunction(condition, argument);
+  }
+
+  /** Waits until the last step of the history is called so. */
+  undoSays(label) {
+    return this.until((wanted) => globalThis.croquis.table.state.value.undo === wanted, label);
+  }
+
+  /** Waits until so many entries are in the journal. */
+  written(count) {
+    return this.page.evaluate(async (wanted) => {
+      while ((await globalThis.croquis.table.journal.entries()).length < wanted) await new Promise(requestAnimationFrame);
+    }, count);
+  }
+
   run(command) {
     return this.page.evaluate((c) => globalThis.croquis.table.run(c).then((change) => change !== null), command);
   }
 
+  /** Waits until nothing is on its way and what came is on the screen. */
   async settled() {
-    await this.page.waitForFunction(() => globalThis.croquis.table.busy.value === 0);
+    await this.until(() => globalThis.croquis.table.busy.value === 0 && !globalThis.croquis.table.engine.previewing);
     await this.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
   }
 
@@ -107,9 +125,35 @@ export class Visit {
     await this.pen('mousePressed', points[0].x, points[0].y, 0.2);
     for (let i = 1; i < points.length; ++i) await this.pen('mouseMoved', points[i].x, points[i].y, 0.2 + (0.7 * i) / points.length);
     await during();
-    const last = points.at(-1);
-    await this.pen('mouseReleased', last.x, last.y, 0);
+    await this.lifted(1, () => this.pen('mouseReleased', points.at(-1).x, points.at(-1).y, 0));
+  }
+
+  async tap({ x, y }) {
+    await this.pen('mousePressed', x, y, 0.5);
+    await this.lifted(1, () => this.pen('mouseReleased', x, y, 0));
+  }
+
+  /** Lifts pointers, and waits until the page has seen it and has done what follows: the browser may say sooner that
+      it handed the event on. */
+  async lifted(count, lift) {
+    const seen = await this.page.evaluateHandle((wanted) => {
+      const seen = { count: 0, wanted };
+      for (const type of ['pointerup', 'pointercancel']) globalThis.addEventListener(type, () => (seen.count += 1));
+      return seen;
+    }, count);
+    await lift();
+    await this.until(({ count, wanted }) => count >= wanted, seen);
     await this.settled();
+  }
+
+  /** Waits until joints differ from those given by more than `least`, and gives them. */
+  async moved(before, least, actor) {
+    await this.until(([numbers, wanted, id]) => {
+      const { stage, table } = globalThis.croquis;
+      const now = stage.characters.get(id ?? table.actor.value)?.joints;
+      return now && numbers.some((value, i) => Math.abs(value - now[i]) > wanted);
+    }, [before, least, actor]);
+    return this.joints(actor);
   }
 
   /** Puts fingers down, moves them, and lifts them. Without a gesture it is a tap: said to be short, however slow the
@@ -120,8 +164,7 @@ export class Visit {
     const start = Array.from({ length: count }, (_, i) => ({ x: 380 + 70 * i, y: 260, id: i }));
     await touch('touchStart', start);
     await gesture?.((dx, dy, spread) => touch('touchMove', start.map((p, i) => ({ ...p, x: p.x + dx + (i === 0 ? -spread : spread), y: p.y + dy }))));
-    await touch('touchEnd', [], 0.08);
-    await this.settled();
+    await this.lifted(count, () => touch('touchEnd', [], 0.08));
   }
 
   async drop(path) {

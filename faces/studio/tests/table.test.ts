@@ -98,6 +98,27 @@ describe('the table with the real engine', () => {
     expect(await look(later)).toBe(looks.at(-2));
   });
 
+  it('keys pressed before the engine has answered lose nothing, and are journalled in their order', async () => {
+    const journal = new MemoryJournal();
+    const table = new Table(await startLocalEngine(), journal);
+    await table.run({ name: 'add_character', character: 'cat' });
+    const actor = table.state.value.actors[0]!.id;
+    await Promise.all([
+      table.run({ name: 'set_table', settings: { floor: false } }),
+      table.undo(),
+      table.redo(),
+      table.undo(),
+      table.run({ name: 'reset', actor, joints: [], amount: 1 }),
+      table.redo(),
+    ]);
+    expect(table.busy.value).toBe(0);
+    expect(table.state.value.undo).toBe('reset');
+    expect((await journal.entries()).map((entry) => entry.kind)).toEqual(['commit', 'commit', 'undo', 'redo', 'undo', 'commit']);
+    const later = new Table(await startLocalEngine(), journal);
+    await later.replay();
+    expect(await look(later)).toBe(await look(table));
+  });
+
   it('a command that cannot be done is told in words, and is not journalled', async () => {
     const journal = new MemoryJournal();
     const table = new Table(await startLocalEngine(), journal);

@@ -48,6 +48,11 @@ export class EngineClient {
     return this.send({ kind: 'redo' }) as Promise<Change>;
   }
 
+  /** Whether the outcome of a preview is still to come. */
+  get previewing(): boolean {
+    return this.previewBusy;
+  }
+
   /** Calls `shown` with the preview's outcome, unless a newer preview or a commit has overtaken it. */
   preview(command: Command, shown: (change: Change) => void, failed: (error: EngineError) => void): void {
     const run = (): void => {

@@ -45,14 +45,16 @@ export class Table {
   readonly solvedStroke = signal<number | null>(null);
   readonly drawing = signal<Partial<StrokeSettings>>({ method: 'line', body_line: 'auto' });
   readonly toasts = signal<Toast[]>([]);
+  /** Changes that are on their way: the page shows what the engine holds when there is none. */
   readonly busy = signal(0);
   readonly timings: Timing[] = [];
   readonly current = computed(() => this.state.value.actors.find((a) => a.id === this.actor.value) ?? null);
   readonly currentStroke = computed(() => this.state.value.strokes.find((s) => s.id === this.stroke.value) ?? null);
 
   onFrames: (frames: PoseFrame[]) => void = () => {};
-  onState: (state: TableState) => Promise<void> = async () => {};
+  onState: () => Promise<void> = async () => {};
   private nextToast = 1;
+  private showing: Promise<void> = Promise.resolve();
 
   constructor(
     readonly engine: EngineClient,
@@ -60,23 +62,23 @@ export class Table {
   ) {}
 
   /** Runs a command, shows its outcome and writes it to the journal; a failure is told in words and changes nothing. */
-  async run(command: Command, bytes?: Uint8Array): Promise<Change | null> {
-    this.busy.value += 1;
-    try {
-      const copy = bytes?.slice();
-      const change = await this.engine.commit(command, bytes);
-      await this.accept(change);
-      if (change.solved) this.solvedStroke.value = 'stroke' in command ? command.stroke : (this.state.value.strokes.at(-1)?.id ?? null);
-      if (change.notice) this.tell(change.notice);
-      void this.journal.append({ kind: 'commit', command, ...(copy ? { bytes: copy } : {}) });
-      return change;
-    } catch (error) {
-      this.tell((error as Error).message, 'error');
-      await this.endPreview();
-      return null;
-    } finally {
-      this.busy.value -= 1;
-    }
+  run(command: Command, bytes?: Uint8Array): Promise<Change | null> {
+    return this.whileBusy(async () => {
+      try {
+        const copy = bytes?.slice();
+        const change = await this.engine.commit(command, bytes);
+        // Replies come in the order of the commands: written down at once, the journal is in order too.
+        void this.journal.append({ kind: 'commit', command, ...(copy ? { bytes: copy } : {}) });
+        await this.accept(change);
+        if (change.solved) this.solvedStroke.value = 'stroke' in command ? command.stroke : (this.state.value.strokes.at(-1)?.id ?? null);
+        if (change.notice) this.tell(change.notice);
+        return change;
+      } catch (error) {
+        this.tell((error as Error).message, 'error');
+        await this.endPreview();
+        return null;
+      }
+    });
   }
 
   preview(command: Command): void {
@@ -97,10 +99,12 @@ export class Table {
     );
   }
 
-  async endPreview(): Promise<void> {
-    const change = await this.engine.cancelPreview();
-    this.solved.value = null;
-    this.onFrames(change.frames);
+  endPreview(): Promise<void> {
+    return this.whileBusy(async () => {
+      const change = await this.engine.cancelPreview();
+      this.solved.value = null;
+      this.onFrames(change.frames);
+    });
   }
 
   /** Asks the engine what joints picked by hand make. */
@@ -139,8 +143,15 @@ export class Table {
     return played;
   }
 
+  /** One after the other: a character whose buffers are still coming may be taken away meanwhile. */
+  private async show(): Promise<void> {
+    const shown = this.showing.then(() => this.onState());
+    this.showing = shown.catch(() => {});
+    await shown;
+  }
+
   async refresh(): Promise<void> {
-    await this.onState(this.state.value);
+    await this.show();
     const change = await this.engine.cancelPreview();
     this.onFrames(change.frames);
     this.mendSelection();
@@ -156,11 +167,22 @@ export class Table {
     this.toasts.value = this.toasts.value.filter((toast) => toast.id !== id);
   }
 
-  private async step(kind: 'undo' | 'redo'): Promise<void> {
-    const label = this.state.value[kind];
-    if (label === '') return;
-    await this.accept(await this.engine[kind]());
-    void this.journal.append({ kind });
+  private step(kind: 'undo' | 'redo'): Promise<void> {
+    return this.whileBusy(async () => {
+      const change = await this.engine[kind]();
+      // Only now: the label of before a command that was still on its way says nothing.
+      if (this.state.value[kind] !== '') void this.journal.append({ kind });
+      await this.accept(change);
+    });
+  }
+
+  private async whileBusy<T>(work: () => Promise<T>): Promise<T> {
+    this.busy.value += 1;
+    try {
+      return await work();
+    } finally {
+      this.busy.value -= 1;
+    }
   }
 
   private async accept(change: Change): Promise<void> {
@@ -168,7 +190,7 @@ export class Table {
       if (change.state) this.state.value = change.state;
       this.solved.value = change.solved;
     });
-    if (change.state) await this.onState(change.state);
+    if (change.state) await this.show();
     this.onFrames(change.frames);
     this.mendSelection();
   }
