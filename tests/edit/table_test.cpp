@@ -261,6 +261,17 @@ TEST(Table, WrongCommandsAreToldInWordsAndChangeNothing) {
   EXPECT_EQ(difference(before, table.project()), 0.0);
 }
 
+TEST(Table, ASavedBuiltInCharacterComesBackWithTheSameJointsAndBodyLines) {
+  for (const std::string name : {"mannequin", "cat", "snake", "tree"}) {
+    Table table, later;
+    Json before = run(table, {{"name", "add_character"}, {"character", name}})["state"]["actors"][0];
+    Json after = Json::parse(later.restore(table.export_file("croquis", 0, "{}")))["state"]["actors"][0];
+    for (const char* key : {"joints", "body_lines", "parts", "front", "extent", "palette_size", "builtin"}) {
+      EXPECT_EQ(before[key], after[key]) << name << ' ' << key;
+    }
+  }
+}
+
 TEST(Table, ThePaletteHasAMatrixForEveryJointOfEveryPart) {
   Table table = table_with_mannequin();
   const Json state = run(table, {{"name", "mirror"}, {"actor", actor_of(table)}, {"side", "both"}})["state"];

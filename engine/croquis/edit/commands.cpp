@@ -10,6 +10,7 @@
 #include "croquis/edit/line_choice.h"
 #include "croquis/edit/line_setup.h"
 #include "croquis/edit/readings.h"
+#include "croquis/project/joint_order.h"
 #include "croquis/rig/joint_limits.h"
 #include "croquis/sketch/stroke.h"
 
@@ -105,8 +106,12 @@ Project add_character(const Project& project, std::shared_ptr<const Character> c
   return next;
 }
 
+std::shared_ptr<const Character> make_builtin_actor(const std::string& name, const Proportions& proportions) {
+  return std::make_shared<const Character>(in_file_order(make_builtin_character(name, proportions)));
+}
+
 Project add_builtin_character(const Project& project, const std::string& name, const Proportions& proportions) {
-  Project next = add_character(project, std::make_shared<const Character>(make_builtin_character(name, proportions)));
+  Project next = add_character(project, make_builtin_actor(name, proportions));
   Actor& actor = next.actors.back();
   actor.builtin = name;
   const Proportions designed;

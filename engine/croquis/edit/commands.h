@@ -20,6 +20,11 @@ namespace croquis {
 /// Adds a character, standing as it starts.
 [[nodiscard]] Project add_character(const Project& project, std::shared_ptr<const Character> character);
 
+/// A built-in character as the table holds it: with its joints in the order in which a file gives them back, so that
+/// commands and body lines mean the same after a project has been saved and opened.
+[[nodiscard]] std::shared_ptr<const Character> make_builtin_actor(const std::string& name,
+                                                                  const Proportions& proportions = {});
+
 /// Adds a built-in character, and keeps its name and those of its proportions that are not as designed.
 [[nodiscard]] Project add_builtin_character(const Project& project, const std::string& name,
                                             const Proportions& proportions = {});

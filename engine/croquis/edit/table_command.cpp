@@ -50,8 +50,7 @@ TableChange set_proportions(const Call& call) {
   Actor& actor = next.actors[static_cast<std::size_t>(index)];
   if (actor.builtin.empty()) throw_invalid_argument("only the built-in characters have proportions to set");
   actor.proportions = call.arguments.numbers_by_name("proportions");
-  auto character =
-      std::make_shared<const Character>(make_builtin_character(actor.builtin, read_proportions(actor.proportions)));
+  auto character = make_builtin_actor(actor.builtin, read_proportions(actor.proportions));
   // The same skeleton in other measures: rotations carry over, places come from the new body.
   Pose pose = character->start;
   for (std::size_t i = 0; i < pose.local.size(); ++i) pose.local[i].rotation = actor.pose.local[i].rotation;
