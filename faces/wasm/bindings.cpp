@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "croquis/base/error.h"
+#include "croquis/edit/screen_form.h"
 #include "croquis/edit/table.h"
 
 namespace {
@@ -75,8 +76,16 @@ class BoundTable {
     return val(typed_memory_view(exported_.size(), reinterpret_cast<const unsigned char*>(exported_.data())));
   }
 
-  val palette(int actor) { return shown(table_.palette(actor)); }
-  val joint_positions(int actor) { return shown(table_.joint_positions(actor)); }
+  /// Forgets everything, history too.
+  void begin() { table_ = croquis::Table(); }
+
+  val palette(int actor, bool dual) {
+    return shown(croquis::make_screen_palette(table_.shown_actor(actor), method(dual)));
+  }
+  val joint_positions(int actor) { return shown(croquis::make_screen_joints(table_.shown_actor(actor))); }
+  val vertices(int actor, int part, bool dual) {
+    return shown(croquis::make_screen_vertices(table_.shown_actor(actor), part, method(dual)));
+  }
 
   std::string part_info(int actor, int part) {
     return guarded([&] {
@@ -120,6 +129,9 @@ class BoundTable {
     numbers_ = std::move(numbers);
     return val(typed_memory_view(numbers_.size(), numbers_.data()));
   }
+  static croquis::SkinningMethod method(bool dual) {
+    return dual ? croquis::SkinningMethod::dual_quaternion : croquis::SkinningMethod::linear;
+  }
   template <class Vector>
   static val floats(const std::vector<Vector>& vectors) {
     const auto* first = reinterpret_cast<const float*>(vectors.data());
@@ -137,6 +149,7 @@ class BoundTable {
 EMSCRIPTEN_BINDINGS(croquis) {
   emscripten::class_<BoundTable>("Table")
       .constructor<>()
+      .function("begin", &BoundTable::begin)
       .function("execute", &BoundTable::execute)
       .function("preview", &BoundTable::preview)
       .function("cancelPreview", &BoundTable::cancel_preview)
@@ -148,6 +161,7 @@ EMSCRIPTEN_BINDINGS(croquis) {
       .function("exported", &BoundTable::exported)
       .function("palette", &BoundTable::palette)
       .function("jointPositions", &BoundTable::joint_positions)
+      .function("vertices", &BoundTable::vertices)
       .function("partInfo", &BoundTable::part_info)
       .function("buffer", &BoundTable::buffer);
 }

@@ -5,6 +5,7 @@
 type View = Float32Array | Uint32Array | Uint16Array | Uint8Array;
 
 export interface Table {
+  begin(): void;
   execute(command: string, file: Uint8Array): string;
   preview(command: string): string;
   cancelPreview(): string;
@@ -14,8 +15,9 @@ export interface Table {
   query(name: string, args: string): string;
   prepareExport(format: string, actor: number, options: string): string;
   exported(): Uint8Array;
-  palette(actor: number): Float32Array;
+  palette(actor: number, dual: boolean): Float32Array;
   jointPositions(actor: number): Float32Array;
+  vertices(actor: number, part: number, dual: boolean): Float32Array;
   partInfo(actor: number, part: number): string;
   buffer(actor: number, part: number, what: string, shape: number): View;
   delete(): void;

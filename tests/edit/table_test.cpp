@@ -272,12 +272,5 @@ TEST(Table, ASavedBuiltInCharacterComesBackWithTheSameJointsAndBodyLines) {
   }
 }
 
-TEST(Table, ThePaletteHasAMatrixForEveryJointOfEveryPart) {
-  Table table = table_with_mannequin();
-  const Json state = run(table, {{"name", "mirror"}, {"actor", actor_of(table)}, {"side", "both"}})["state"];
-  EXPECT_EQ(table.palette(actor_of(table)).size(), 16U * state["actors"][0]["palette_size"].get<std::size_t>());
-  EXPECT_EQ(table.joint_positions(actor_of(table)).size(), 3U * state["actors"][0]["joints"].size());
-}
-
 }  // namespace
 }  // namespace croquis

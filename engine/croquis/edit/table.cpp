@@ -37,11 +37,6 @@ std::vector<int> moved_actors(const Project& before, const Project& after) {
   return moved;
 }
 
-void append(std::vector<float>& palette, const Affine& matrix) {
-  const Eigen::Matrix4f m = matrix.matrix().cast<float>();
-  palette.insert(palette.end(), m.data(), m.data() + 16);
-}
-
 Json answer_selection(const Actor& actor, const std::vector<int>& joints) {
   try {
     StrokeSettings settings;
@@ -132,31 +127,6 @@ std::string Table::restore(std::span<const std::byte> project_file) {
 
 const Actor& Table::shown_actor(int id) const {
   return shown_.actors[static_cast<std::size_t>(actor_index(shown_, id))];
-}
-
-std::vector<float> Table::palette(int actor_id) const {
-  const Actor& actor = shown_actor(actor_id);
-  const std::vector<Affine> model = compute_model_transforms(actor.character->skeleton, actor.pose);
-  std::vector<float> palette;
-  for (const Part& part : actor.character->parts) {
-    if (!part.skin) {
-      append(palette, model[static_cast<std::size_t>(part.joint)] * part.joint_from_mesh);
-      continue;
-    }
-    for (std::size_t i = 0; i < part.skin->joints.size(); ++i) {
-      append(palette, model[static_cast<std::size_t>(part.skin->joints[i])] * part.skin->inverse_bind[i]);
-    }
-  }
-  return palette;
-}
-
-std::vector<float> Table::joint_positions(int actor_id) const {
-  const Actor& actor = shown_actor(actor_id);
-  std::vector<float> positions;
-  for (const Vec3& p : compute_positions(actor.character->skeleton, actor.pose)) {
-    for (int axis = 0; axis < 3; ++axis) positions.push_back(static_cast<float>(p[axis]));
-  }
-  return positions;
 }
 
 std::string Table::query(std::string_view name, std::string_view arguments_json) const {

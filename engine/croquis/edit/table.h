@@ -39,11 +39,6 @@ class Table {
   [[nodiscard]] const Project& shown() const { return shown_; }
   [[nodiscard]] const Actor& shown_actor(int id) const;
 
-  /// The skinning matrices of a shown actor, all parts in order: 16 floats per palette entry, column-major.
-  [[nodiscard]] std::vector<float> palette(int actor_id) const;
-  /// Joint positions of a shown actor, model space, 3 floats each.
-  [[nodiscard]] std::vector<float> joint_positions(int actor_id) const;
-
   /// Answers a question about the table as JSON: "pose" {actor}, "pose_joints" {actor, pose}, "shelf" {actor},
   /// "selection" {actor, joints}.
   [[nodiscard]] std::string query(std::string_view name, std::string_view arguments_json) const;

@@ -7,7 +7,7 @@ import type { ActorInfo, CameraSpec, Command, ExportFormat, PoseFrame, Sample, S
 import { t } from './i18n/strings';
 import type { Journal } from './model/journal';
 import { keepAll } from './model/pose_shelf';
-import { dark, leftHanded, showSkeleton } from './model/prefs';
+import { dark, dualQuaternions, leftHanded, showSkeleton } from './model/prefs';
 import { Table } from './model/table';
 import { isEnd, isInView, type LiveLine, newestStroke, Overlay } from './overlay';
 import { DragTool, RotateTool, SelectTool, type BodyContext } from './tools/body_tools';
@@ -69,6 +69,7 @@ export class Studio {
       void [showSkeleton.value, this.tool.value, this.table.stroke.value, this.table.joint.value, this.table.picked.value, this.table.segments.value];
       this.stage.invalidate();
     });
+    effect(() => void this.table.skinBy(dualQuaternions.value));
     effect(() => this.stage.showPlane(this.planeNormal()));
     effect(() => void this.table.checkPicked(this.table.picked.value, this.table.actor.value));
   }

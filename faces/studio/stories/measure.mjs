@@ -28,7 +28,7 @@ for (let stroke = 0; stroke < 6; ++stroke) {
     const command = JSON.stringify({ name: 'draw', actor: state.actors[0].id, samples, camera, settings: { body_line: 'auto' } });
     const started = process.cpuUsage();
     table.preview(command);
-    table.palette(state.actors[0].id);
+    table.palette(state.actors[0].id, false);
     const { user, system } = process.cpuUsage(started);
     costs.push((user + system) / 1000);
   }

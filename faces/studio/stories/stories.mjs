@@ -339,6 +339,30 @@ story('a tab that is killed gives back the project with its history', {}, async 
   await visit.until(() => globalThis.croquis.table.state.value.strokes.length === 0); // and can be undone
 });
 
+story('the graphics card puts twisted limbs where the engine does, by matrices and by dual quaternions', {}, async (visit) => {
+  const actor = (await visit.state()).actors[0];
+  await visit.run({ name: 'set_table', settings: { limits: 'none' } });
+  for (const bone of ['leftLowerArm', 'rightHand', 'head', 'spine']) {
+    const joint = actor.joints.findIndex((j) => j.bone === bone);
+    await visit.run({ name: 'rotate', actor: actor.id, joint, rotation_model: [Math.sin(0.9), 0, 0, Math.cos(0.9)] });
+  }
+  const vertices = (side) =>
+    visit.page.evaluate(async ([of, id, parts]) => {
+      const { stage, table } = globalThis.croquis;
+      const all = [];
+      for (let part = 0; part < parts; ++part) all.push(...(of === 'card' ? stage.readVertices(id, part) : await table.engine.vertices(id, part)));
+      return all;
+    }, [side, actor.id, actor.parts.length]);
+  const linear = await vertices('engine');
+  assert.ok(distance(await vertices('card'), linear) < 1e-5);
+  await visit.page.locator('summary', { hasText: 'View' }).click();
+  await visit.page.getByLabel('Limbs keep their volume when twisted').check();
+  await visit.settled();
+  const dual = await vertices('engine');
+  assert.ok(distance(linear, dual) > 0.005, 'they differ');
+  assert.ok(distance(await vertices('card'), dual) < 1e-5);
+});
+
 test('the page works with the network off', { timeout: 900_000 }, async () => {
   const own = await servePage();
   const visit = await Visit.open(browser, `http://127.0.0.1:${own.address().port}/`);

@@ -17,20 +17,26 @@ function parse<T>(json: string): T {
   return answer;
 }
 
-function frames(table: Table, actors: number[]): PoseFrame[] {
+/** The engine, and how the page has its poses: for blending by matrices, or by dual quaternions. */
+export interface Seat {
+  table: Table;
+  dual: boolean;
+}
+
+function frames({ table, dual }: Seat, actors: number[]): PoseFrame[] {
   return actors.map((actor) => ({
     actor,
-    palette: table.palette(actor).slice(),
+    palette: table.palette(actor, dual).slice(),
     joints: table.jointPositions(actor).slice(),
   }));
 }
 
-function change(table: Table, json: string, started: number): Change {
+function change(seat: Seat, json: string, started: number): Change {
   const answer = parse<{ state?: TableState; moved: number[]; solved?: Solved; solve_ms?: number; notice?: string }>(json);
   return {
     ...(answer.state ? { state: answer.state } : {}),
     ...(answer.notice ? { notice: answer.notice } : {}),
-    frames: frames(table, answer.moved),
+    frames: frames(seat, answer.moved),
     solved: answer.solved ?? null,
     timing: { solve_ms: answer.solve_ms ?? 0, engine_ms: performance.now() - started },
   };
@@ -57,11 +63,12 @@ function geometry(table: Table, actor: number, part: number): PartGeometry {
 }
 
 /** What previews would show, one by one; then the project is shown again. */
-function poseFrames(table: Table, commands: Command[]): (PoseFrame | null)[] {
+function poseFrames(seat: Seat, commands: Command[]): (PoseFrame | null)[] {
+  const { table } = seat;
   const shown = commands.map((command) => {
     try {
       parse(table.preview(JSON.stringify(command)));
-      return frames(table, [(command as { actor: number }).actor])[0] ?? null;
+      return frames(seat, [(command as { actor: number }).actor])[0] ?? null;
     } catch {
       return null;
     }
@@ -70,25 +77,33 @@ function poseFrames(table: Table, commands: Command[]): (PoseFrame | null)[] {
   return shown;
 }
 
-function answer(table: Table, request: Request): unknown {
+function answer(seat: Seat, request: Request): unknown {
+  const { table } = seat;
   const started = performance.now();
   switch (request.kind) {
+    case 'begin':
+      return table.begin();
     case 'commit':
-      return change(table, table.execute(JSON.stringify(request.command), request.bytes ?? new Uint8Array()), started);
+      return change(seat, table.execute(JSON.stringify(request.command), request.bytes ?? new Uint8Array()), started);
     case 'preview':
-      return change(table, table.preview(JSON.stringify(request.command)), started);
+      return change(seat, table.preview(JSON.stringify(request.command)), started);
     case 'cancel':
-      return change(table, table.cancelPreview(), started);
+      return change(seat, table.cancelPreview(), started);
+    case 'skinning':
+      seat.dual = request.dual;
+      return change(seat, table.cancelPreview(), started);
     case 'pose_frames':
-      return poseFrames(table, request.commands);
+      return poseFrames(seat, request.commands);
     case 'undo':
-      return change(table, table.undo(), started);
+      return change(seat, table.undo(), started);
     case 'redo':
-      return change(table, table.redo(), started);
+      return change(seat, table.redo(), started);
     case 'restore':
-      return change(table, table.restore(request.bytes), started);
+      return change(seat, table.restore(request.bytes), started);
     case 'geometry':
       return geometry(table, request.actor, request.part);
+    case 'vertices':
+      return table.vertices(request.actor, request.part, seat.dual).slice();
     case 'export': {
       parse(table.prepareExport(request.format, request.actor, JSON.stringify(request.options)));
       return table.exported().slice();
@@ -98,9 +113,9 @@ function answer(table: Table, request: Request): unknown {
   }
 }
 
-export function replyTo(table: Table, id: number, request: Request): Reply {
+export function replyTo(seat: Seat, id: number, request: Request): Reply {
   try {
-    return { id, result: answer(table, request) };
+    return { id, result: answer(seat, request) };
   } catch (error) {
     return { id, failure: error instanceof EngineError ? error.failure : { code: 'internal', message: String(error) } };
   }

@@ -35,6 +35,11 @@ export class EngineClient {
     wire.onmessage = (event) => this.settle(event.data);
   }
 
+  /** Forgets everything, history too. */
+  async begin(): Promise<void> {
+    await this.send({ kind: 'begin' });
+  }
+
   commit(command: Command, bytes?: Uint8Array): Promise<Change> {
     this.newestPreview = null; // what was only a preview is over
     return this.send(bytes ? { kind: 'commit', command, bytes } : { kind: 'commit', command }) as Promise<Change>;
@@ -75,6 +80,11 @@ export class EngineClient {
     return this.send({ kind: 'cancel' }) as Promise<Change>;
   }
 
+  /** From now on poses come for blending by dual quaternions, or by matrices. */
+  skinning(dual: boolean): Promise<Change> {
+    return this.send({ kind: 'skinning', dual }) as Promise<Change>;
+  }
+
   /** How an actor would stand after each command; null where the command fails. Nothing is changed or shown. */
   poseFrames(commands: Command[]): Promise<(PoseFrame | null)[]> {
     return this.send({ kind: 'pose_frames', commands }) as Promise<(PoseFrame | null)[]>;
@@ -82,6 +92,11 @@ export class EngineClient {
 
   geometry(actor: number, part: number): Promise<PartGeometry> {
     return this.send({ kind: 'geometry', actor, part }) as Promise<PartGeometry>;
+  }
+
+  /** Where the engine itself puts the vertices of a part: what the graphics card has to come up with. */
+  vertices(actor: number, part: number): Promise<Float32Array> {
+    return this.send({ kind: 'vertices', actor, part }) as Promise<Float32Array>;
   }
 
   export(format: ExportFormat, actor: number, options: Record<string, unknown> = {}): Promise<Uint8Array> {

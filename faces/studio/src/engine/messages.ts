@@ -16,13 +16,16 @@ export interface PartGeometry {
 }
 
 export type Request =
+  | { kind: 'begin' }
   | { kind: 'commit'; command: Command; bytes?: Uint8Array }
   | { kind: 'preview'; command: Command }
   | { kind: 'cancel' }
+  | { kind: 'skinning'; dual: boolean }
   | { kind: 'pose_frames'; commands: Command[] }
   | { kind: 'undo' }
   | { kind: 'redo' }
   | { kind: 'geometry'; actor: number; part: number }
+  | { kind: 'vertices'; actor: number; part: number }
   | { kind: 'export'; format: ExportFormat; actor: number; options: Record<string, unknown> }
   | { kind: 'query'; name: string; args: Record<string, unknown> }
   | { kind: 'restore'; bytes: Uint8Array };

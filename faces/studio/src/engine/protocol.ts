@@ -127,7 +127,7 @@ export interface TableState {
 /** How an actor stands now: what is uploaded for a picture. */
 export interface PoseFrame {
   actor: number;
-  /** 16 numbers per palette entry, column-major. */
+  /** Five texels per palette entry: three rows of a matrix, the two parts of a dual quaternion. */
   palette: Float32Array;
   /** 3 numbers per joint, model space. */
   joints: Float32Array;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The engine's side of the wire: one wasm instance, one request at a time.
-import createModule, { type Table } from '../../wasm/croquis.mjs';
+import createModule from '../../wasm/croquis.mjs';
 import wasmUrl from '../../wasm/croquis.wasm?url';
-import { replyTo, transfers } from './answers';
+import { replyTo, transfers, type Seat } from './answers';
 import type { Reply, Request } from './messages';
 
-const ready: Promise<Table> = createModule({ locateFile: () => wasmUrl }).then((module) => new module.Table());
+const ready: Promise<Seat> = createModule({ locateFile: () => wasmUrl }).then((module) => ({ table: new module.Table(), dual: false }));
 
 self.onmessage = async (event: MessageEvent<{ id: number; request: Request }>) => {
   const { id, request } = event.data;

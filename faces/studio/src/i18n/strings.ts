@@ -139,6 +139,7 @@ const TABLE = {
   opacity: ['Opacity', 'Opacité'],
   miniView: ['Depth from the side', 'Profondeur de côté'],
   skeleton: ['Show skeleton', 'Montrer le squelette'],
+  dualQuaternions: ['Limbs keep their volume when twisted', 'Les membres tordus gardent leur volume'],
   dark: ['Dark theme', 'Thème sombre'],
   leftHanded: ['Left-handed layout', 'Disposition pour gaucher'],
   language: ['Français', 'English'],

@@ -20,6 +20,8 @@ export const dark = flag('dark', matchMedia('(prefers-color-scheme: dark)').matc
 export const leftHanded = flag('leftHanded', false);
 export const showSkeleton = flag('showSkeleton', false);
 export const showMini = flag('showMini', true);
+/** Skin by dual quaternions in place of matrices. */
+export const dualQuaternions = flag('dualQuaternions', false);
 export const hintSeen = flag('hintSeen', false);
 
 language.value = ((saved['language'] as Language | undefined) ?? (navigator.language.startsWith('fr') ? 'fr' : 'en')) as Language;
@@ -30,6 +32,7 @@ effect(() => {
     leftHanded: leftHanded.value,
     showSkeleton: showSkeleton.value,
     showMini: showMini.value,
+    dualQuaternions: dualQuaternions.value,
     hintSeen: hintSeen.value,
     language: language.value,
   };

@@ -99,6 +99,11 @@ export class Table {
     );
   }
 
+  /** How bodies are skinned: it changes nothing but what is shown. */
+  skinBy(dual: boolean): Promise<void> {
+    return this.whileBusy(async () => this.onFrames((await this.engine.skinning(dual)).frames));
+  }
+
   endPreview(): Promise<void> {
     return this.whileBusy(async () => {
       const change = await this.engine.cancelPreview();
@@ -177,11 +182,11 @@ export class Table {
   }
 
   private async whileBusy<T>(work: () => Promise<T>): Promise<T> {
-    this.busy.value += 1;
+    this.busy.value = this.busy.peek() + 1; // whoever asks in an effect does not wait for it
     try {
       return await work();
     } finally {
-      this.busy.value -= 1;
+      this.busy.value = this.busy.peek() - 1;
     }
   }
 

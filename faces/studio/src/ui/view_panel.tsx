@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { useState } from 'preact/hooks';
 import { language, t } from '../i18n/strings';
-import { dark, leftHanded, showMini, showSkeleton } from '../model/prefs';
+import { dark, dualQuaternions, leftHanded, showMini, showSkeleton } from '../model/prefs';
 import type { Studio } from '../studio';
 import { Button, IconButton, Section, Slider, Switch } from './controls';
 
@@ -58,6 +58,7 @@ export function ViewPanel({ studio }: Props) {
       <Backdrop studio={studio} />
       <Switch label={t('miniView')} on={showMini.value} onChange={(on) => (showMini.value = on)} />
       <Switch label={t('skeleton')} on={showSkeleton.value} onChange={(on) => (showSkeleton.value = on)} />
+      <Switch label={t('dualQuaternions')} on={dualQuaternions.value} onChange={(on) => (dualQuaternions.value = on)} />
       <Switch label={t('dark')} on={dark.value} onChange={(on) => (dark.value = on)} />
       <Switch label={t('leftHanded')} on={leftHanded.value} onChange={(on) => (leftHanded.value = on)} />
       <Button onClick={() => (language.value = language.value === 'en' ? 'fr' : 'en')}>{t('language')}</Button>

@@ -4,7 +4,7 @@ import * as THREE from 'three';
 import type { PartGeometry } from '../engine/messages';
 import type { ActorInfo, PoseFrame } from '../engine/protocol';
 import { clayMaterial, lightAsOnPaper } from './clay_material';
-import { influenceTexture, Palette, skinThroughPalette } from './skin_material';
+import { makeInfluences, Palette, skinThroughPalette, type Influences } from './skin_material';
 
 async function imageTexture(bytes: Uint8Array): Promise<THREE.Texture> {
   const bitmap = await createImageBitmap(new Blob([bytes as BlobPart]), { colorSpaceConversion: 'none' });
@@ -35,8 +35,9 @@ function bufferGeometry(part: PartGeometry): THREE.BufferGeometry {
 export class CharacterView {
   readonly group = new THREE.Group();
   readonly palette: Palette;
+  readonly parts: { geometry: THREE.BufferGeometry; influences: Influences }[] = [];
   joints: Float32Array = new Float32Array();
-  matrices: Float32Array = new Float32Array();
+  texels: Float32Array = new Float32Array();
   private stands: number | null = null;
 
   constructor(readonly info: ActorInfo) {
@@ -45,19 +46,17 @@ export class CharacterView {
 
   async addPart(index: number, part: PartGeometry): Promise<void> {
     const info = this.info.parts[index]!;
-    const influences = influenceTexture(part.joint_indices, part.weights, info.palette_offset);
+    const influences = makeInfluences(part.joint_indices, part.weights, part.influences, info.palette_offset);
+    const geometry = bufferGeometry(part);
+    this.parts[index] = { geometry, influences };
     const material = clayMaterial(info);
     if (part.image) material.map = await imageTexture(part.image).catch(() => null);
-    const mesh = new THREE.Mesh(
-      bufferGeometry(part),
-      skinThroughPalette(material, this.palette, influences, part.influences, lightAsOnPaper),
-    );
+    const mesh = new THREE.Mesh(geometry, skinThroughPalette(material, this.palette, influences, lightAsOnPaper));
     mesh.morphTargetInfluences = part.shapes.filter((s) => s.weight !== 0 && s.positions.length > 0).map((s) => s.weight);
     mesh.customDepthMaterial = skinThroughPalette(
       new THREE.MeshDepthMaterial({ side: material.side, alphaTest: material.alphaTest, map: material.map }),
       this.palette,
       influences,
-      part.influences,
     );
     mesh.castShadow = true;
     mesh.receiveShadow = true;
@@ -67,7 +66,7 @@ export class CharacterView {
 
   show(frame: PoseFrame): void {
     this.palette.set(frame.palette);
-    this.matrices = frame.palette;
+    this.texels = frame.palette;
     this.joints = frame.joints;
   }
 
@@ -107,6 +106,7 @@ export class CharacterView {
       (object.material as THREE.Material).dispose();
       object.customDepthMaterial?.dispose();
     });
+    for (const { influences } of this.parts) influences.texture.dispose();
     this.palette.texture.dispose();
   }
 }

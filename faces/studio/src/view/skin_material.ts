@@ -1,104 +1,130 @@
 // SPDX-License-Identifier: MIT
-// three.js skins four influences per vertex; we skin any number. A vertex finds its influences in one texture (palette
-// entry, weight) by its index, and the matrices in the character's palette texture: one upload per character and frame,
-// however many parts it has.
+// three.js skins four influences per vertex; we skin any number, by matrices or by dual quaternions. A vertex finds its
+// influences in one texture (palette entry, weight) by its index, and what they do in the character's palette texture:
+// one upload per character and frame, however many parts it has.
 import * as THREE from 'three';
 
 const WIDTH = 1024; // texels per row of the influence texture
+const TEXELS = 5; // per palette entry: three rows of a matrix, the real and the dual part of a dual quaternion
 
-/** Three texels per palette entry: the rows of the 3x4 matrix. */
 export class Palette {
   readonly texture: THREE.DataTexture;
   private readonly data: Float32Array;
   uploads = 0;
 
-  constructor(readonly entries: number) {
-    this.data = new Float32Array(Math.max(1, entries) * 12);
-    this.texture = new THREE.DataTexture(this.data, 3, Math.max(1, entries), THREE.RGBAFormat, THREE.FloatType);
-    for (let i = 0; i < entries; ++i) this.data.set([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0], 12 * i);
+  constructor(entries: number) {
+    this.data = new Float32Array(Math.max(1, entries) * TEXELS * 4);
+    this.texture = new THREE.DataTexture(this.data, TEXELS, Math.max(1, entries), THREE.RGBAFormat, THREE.FloatType);
+    for (let i = 0; i < entries; ++i) this.data.set([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0], 4 * TEXELS * i);
     this.texture.needsUpdate = true;
   }
 
-  /** `matrices`: 16 numbers per entry, column-major, as the engine gives them. */
-  set(matrices: Float32Array): void {
-    for (let entry = 0; entry < this.entries; ++entry) {
-      for (let row = 0; row < 3; ++row) {
-        for (let column = 0; column < 4; ++column) {
-          this.data[12 * entry + 4 * row + column] = matrices[16 * entry + 4 * column + row]!;
-        }
-      }
-    }
+  /** `texels` as the engine gives them. */
+  set(texels: Float32Array): void {
+    this.data.set(texels.subarray(0, this.data.length));
     this.texture.needsUpdate = true;
     this.uploads += 1;
   }
 }
 
-export function influenceTexture(indices: Uint16Array, weights: Float32Array, offset: number): THREE.DataTexture {
+/** What a vertex needs to know beside its position. */
+export interface Influences {
+  texture: THREE.DataTexture;
+  perVertex: number;
+}
+
+/** The heaviest influence of each vertex comes first: dual quaternions take their signs from it. A vertex that follows
+    nothing follows the part's first entry. */
+export function makeInfluences(indices: Uint16Array, weights: Float32Array, perVertex: number, offset: number): Influences {
   const rows = Math.max(1, Math.ceil(weights.length / WIDTH));
   const data = new Float32Array(rows * WIDTH * 2);
-  for (let i = 0; i < weights.length; ++i) {
-    data[2 * i] = indices[i]! + offset;
-    data[2 * i + 1] = weights[i]!;
+  for (let first = 0; first < weights.length; first += perVertex) {
+    let heaviest = first;
+    for (let i = first; i < first + perVertex; ++i) {
+      data[2 * i] = indices[i]! + offset;
+      data[2 * i + 1] = weights[i]!;
+      if (weights[i]! > weights[heaviest]!) heaviest = i;
+    }
+    if (weights[heaviest] === 0) {
+      data.set([offset, 1], 2 * first);
+    } else if (heaviest !== first) {
+      data.copyWithin(2 * heaviest, 2 * first, 2 * first + 2);
+      data.set([indices[heaviest]! + offset, weights[heaviest]!], 2 * first);
+    }
   }
   const texture = new THREE.DataTexture(data, WIDTH, rows, THREE.RGFormat, THREE.FloatType);
   texture.needsUpdate = true;
-  return texture;
+  return { texture, perVertex };
 }
 
-const DECLARATIONS = /* glsl */ `
+/** croquisBlend() first; then croquisPlace() for positions and croquisTurn() for directions. Where the palette holds no
+    dual quaternions their terms are zero, and blending is linear. */
+export const SKINNING = /* glsl */ `
   uniform highp sampler2D croquisPalette;
   uniform highp sampler2D croquisInfluences;
   uniform int croquisPerVertex;
-  void croquisBlend(out vec4 r0, out vec4 r1, out vec4 r2) {
-    r0 = r1 = r2 = vec4(0.0);
-    float total = 0.0;
+  vec4 croquisRow0, croquisRow1, croquisRow2, croquisReal, croquisDual;
+  void croquisBlend() {
+    croquisRow0 = croquisRow1 = croquisRow2 = croquisReal = croquisDual = vec4(0.0);
+    vec4 heaviest = vec4(0.0);
     for (int k = 0; k < croquisPerVertex; ++k) {
       int i = gl_VertexID * croquisPerVertex + k;
       vec2 influence = texelFetch(croquisInfluences, ivec2(i % ${WIDTH}, i / ${WIDTH}), 0).rg;
-      if (influence.y == 0.0 && k > 0) continue;
       float weight = influence.y;
+      if (weight == 0.0) continue;
       int entry = int(influence.x + 0.5);
-      r0 += weight * texelFetch(croquisPalette, ivec2(0, entry), 0);
-      r1 += weight * texelFetch(croquisPalette, ivec2(1, entry), 0);
-      r2 += weight * texelFetch(croquisPalette, ivec2(2, entry), 0);
-      total += weight;
+      croquisRow0 += weight * texelFetch(croquisPalette, ivec2(0, entry), 0);
+      croquisRow1 += weight * texelFetch(croquisPalette, ivec2(1, entry), 0);
+      croquisRow2 += weight * texelFetch(croquisPalette, ivec2(2, entry), 0);
+      if (k > 0 && heaviest == vec4(0.0)) continue;
+      vec4 real = texelFetch(croquisPalette, ivec2(3, entry), 0);
+      if (k == 0) heaviest = real;
+      if (dot(heaviest, real) < 0.0) weight = -weight; // q and -q are the same rotation
+      croquisReal += weight * real;
+      croquisDual += weight * texelFetch(croquisPalette, ivec2(4, entry), 0);
     }
-    if (total == 0.0) { // a vertex without weights follows the first entry
-      int entry = int(texelFetch(croquisInfluences, ivec2(0, 0), 0).r + 0.5);
-      r0 = texelFetch(croquisPalette, ivec2(0, entry), 0);
-      r1 = texelFetch(croquisPalette, ivec2(1, entry), 0);
-      r2 = texelFetch(croquisPalette, ivec2(2, entry), 0);
+    float square = dot(croquisReal, croquisReal);
+    if (square > 0.0) {
+      croquisReal *= inversesqrt(square);
+      croquisDual *= inversesqrt(square);
     }
+  }
+  vec3 croquisRotate(vec3 v) {
+    return v + 2.0 * cross(croquisReal.xyz, cross(croquisReal.xyz, v) + croquisReal.w * v);
+  }
+  vec3 croquisTurn(vec3 n) {
+    return croquisRotate(vec3(dot(croquisRow0.xyz, n), dot(croquisRow1.xyz, n), dot(croquisRow2.xyz, n)));
+  }
+  vec3 croquisPlace(vec3 p) {
+    vec4 bound = vec4(p, 1.0);
+    vec3 stretched = vec3(dot(croquisRow0, bound), dot(croquisRow1, bound), dot(croquisRow2, bound));
+    vec3 shift = croquisReal.w * croquisDual.xyz - croquisDual.w * croquisReal.xyz + cross(croquisReal.xyz, croquisDual.xyz);
+    return croquisRotate(stretched) + 2.0 * shift;
   }`;
+
+export function skinUniforms(palette: Palette, influences: Influences): Record<string, THREE.IUniform> {
+  return {
+    croquisPalette: { value: palette.texture },
+    croquisInfluences: { value: influences.texture },
+    croquisPerVertex: { value: influences.perVertex },
+  };
+}
 
 /** Teaches a material (the lit one, or the shadow's depth) to skin through the palette. */
 export function skinThroughPalette<M extends THREE.Material>(
   material: M,
   palette: Palette,
-  influences: THREE.DataTexture,
-  perVertex: number,
+  influences: Influences,
   alsoTeach: (shader: { fragmentShader: string }) => void = () => {},
 ): M {
   material.onBeforeCompile = (shader) => {
     alsoTeach(shader);
-    shader.uniforms['croquisPalette'] = { value: palette.texture };
-    shader.uniforms['croquisInfluences'] = { value: influences };
-    shader.uniforms['croquisPerVertex'] = { value: perVertex };
+    Object.assign(shader.uniforms, skinUniforms(palette, influences));
     shader.vertexShader = shader.vertexShader
-      .replace('#include <common>', `#include <common>\n${DECLARATIONS}`)
-      .replace(
-        '#include <skinnormal_vertex>',
-        `vec4 n0, n1, n2;
-         croquisBlend(n0, n1, n2);
-         objectNormal = vec3(dot(n0.xyz, objectNormal), dot(n1.xyz, objectNormal), dot(n2.xyz, objectNormal));`,
-      )
-      .replace(
-        '#include <skinning_vertex>',
-        `vec4 r0, r1, r2;
-         croquisBlend(r0, r1, r2);
-         vec4 bound = vec4(transformed, 1.0);
-         transformed = vec3(dot(r0, bound), dot(r1, bound), dot(r2, bound));`,
-      );
+      .replace('#include <common>', `#include <common>\n${SKINNING}`)
+      .replace('#include <skinbase_vertex>', 'croquisBlend();')
+      .replace('#include <skinnormal_vertex>', 'objectNormal = croquisTurn(objectNormal);')
+      .replace('#include <skinning_vertex>', 'transformed = croquisPlace(transformed);');
   };
   material.customProgramCacheKey = () => 'croquis-palette';
   return material;

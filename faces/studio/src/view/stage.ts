@@ -6,6 +6,7 @@ import type { ActorInfo, PoseFrame } from '../engine/protocol';
 import { CameraRig, type Insets } from './camera_rig';
 import { CharacterView } from './character_view';
 import { Ground } from './ground';
+import { readVertices } from './read_vertices';
 
 export interface StageTheme {
   paper: string;
@@ -105,6 +106,10 @@ export class Stage {
     if (frames.length > 0) this.fitScene();
   }
 
+  readVertices(actor: number, part: number): Float32Array {
+    return readVertices(this.renderer, this.characters.get(actor)!, part);
+  }
+
   /** The box around all joints, in the scene. */
   bounds(actor?: number): THREE.Box3 {
     const box = new THREE.Box3();
@@ -176,7 +181,7 @@ export class Stage {
   thumbnails(actor: number, poses: { frame: PoseFrame; focus: number[] }[], pixels: number): HTMLCanvasElement[] {
     const view = this.characters.get(actor);
     if (!view) return [];
-    const now: PoseFrame = { actor, palette: view.matrices, joints: view.joints };
+    const now: PoseFrame = { actor, palette: view.texels, joints: view.joints };
     const others = this.scene.children.filter((child) => child !== view.group && child !== this.sun && child !== this.sun.target && child.visible);
     for (const other of others) other.visible = false;
     const side = Math.min(pixels / this.renderer.getPixelRatio(), this.canvas.clientWidth, this.canvas.clientHeight);
