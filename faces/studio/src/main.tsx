@@ -3,7 +3,7 @@ import { effect } from '@preact/signals';
 import { render } from 'preact';
 import { startEngine } from './engine/client';
 import { t } from './i18n/strings';
-import { openJournal } from './model/journal';
+import { openJournal, type NoStorage } from './model/journal';
 import './model/prefs';
 import { Studio } from './studio';
 import type { PointerSample } from './tools/gestures';
@@ -95,8 +95,12 @@ async function start(): Promise<void> {
   const query = new URLSearchParams(location.search);
   const backdrop = element<HTMLDivElement>('backdrop');
   const engine = startEngine(); // it gets ready while the rest does
-  const journal = await openJournal(() => studio?.table.tell(t('storageFailed'), 'error'));
   let studio: Studio | null = null;
+  let unheard: NoStorage | null = null;
+  const journal = await openJournal((why) => {
+    if (studio) studio.table.tell(t(why), 'error');
+    else unheard = why;
+  });
   try {
     studio = new Studio(engine, journal, element('table'), element('glass'), query.get('quality') === 'draft' ? 'draft' : 'full');
   } catch (error) {
@@ -104,6 +108,7 @@ async function start(): Promise<void> {
     return;
   }
   const ready = studio;
+  if (unheard) ready.table.tell(t(unheard), 'error');
   effect(() => {
     const image = ready.backdrop.value;
     backdrop.style.backgroundImage = image ? `url("${image.url}")` : '';

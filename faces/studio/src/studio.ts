@@ -18,6 +18,8 @@ import { InkLayer } from './view/ink';
 import { drawOpenPose } from './view/open_pose_picture';
 import { Stage, type Quality } from './view/stage';
 
+const IDLE_MS = 2500; // without a change, before the project is kept beside the journal
+
 export class Studio {
   readonly table: Table;
   readonly stage: Stage;
@@ -33,6 +35,7 @@ export class Studio {
   private hovered: number | null = null;
   private copied: { pose: string } | null = null;
   private size = { width: 1, height: 1 };
+  private keeping: ReturnType<typeof setTimeout> | undefined;
 
   constructor(engine: EngineClient, journal: Journal, canvas: HTMLCanvasElement, glass: HTMLCanvasElement, quality: Quality = 'full') {
     this.table = new Table(engine, journal);
@@ -80,9 +83,19 @@ export class Studio {
 
   /** Fetches what an earlier visit left, or sets out the mannequin. */
   async start(): Promise<void> {
-    const played = await this.table.replay();
-    if (played === 0 || this.table.state.value.actors.length === 0) await this.table.run({ name: 'add_character', character: 'mannequin' });
+    const found = await this.table.replay();
+    if (!found || this.table.state.value.actors.length === 0) await this.table.run({ name: 'add_character', character: 'mannequin' });
     this.frameSelected();
+    effect(() => {
+      void this.table.state.value;
+      clearTimeout(this.keeping);
+      this.keeping = setTimeout(() => this.keepWhenIdle(), IDLE_MS);
+    });
+  }
+
+  private keepWhenIdle(): void {
+    if (this.gestures.path === 'idle') void this.table.keepCheckpoint().catch(() => {});
+    else this.keeping = setTimeout(() => this.keepWhenIdle(), IDLE_MS);
   }
 
   resize(width: number, height: number): void {

@@ -339,6 +339,35 @@ story('a tab that is killed gives back the project with its history', {}, async 
   await visit.until(() => globalThis.croquis.table.state.value.strokes.length === 0); // and can be undone
 });
 
+story('a later visit starts from where the project was kept, and undo reaches the steps before', {}, async (visit) => {
+  await visit.draw(await lean(visit));
+  await visit.page.evaluate(() => globalThis.croquis.table.keepCheckpoint());
+  await visit.run({ name: 'reset', actor: (await visit.state()).actors[0].id, joints: [], amount: 0.5 });
+  const posed = await visit.joints();
+  await visit.written(3); // the mannequin, the line, half a reset
+  await visit.page.reload();
+  await visit.ready();
+  assert.equal(await visit.page.evaluate(() => globalThis.croquis.table.earlier.value), true);
+  assert.ok(distance(posed, await visit.joints()) < 1e-6);
+  await visit.page.keyboard.press('Control+z');
+  await visit.undoSays('');
+  await visit.page.getByRole('button', { name: 'Undo' }).click();
+  await visit.undoSays('add mannequin');
+  assert.equal((await visit.state()).strokes.length, 0, 'the line is undone, though it was drawn before');
+  await visit.page.keyboard.press('Control+y');
+  await visit.undoSays('draw');
+});
+
+story('a second tab leaves the journal of the first alone', {}, async (visit) => {
+  const second = new Visit(visit.context, url);
+  await second.load();
+  assert.ok(await second.run({ name: 'reset', actor: (await second.state()).actors[0].id, joints: [], amount: 1 }));
+  await second.page.close();
+  await visit.page.reload();
+  await visit.ready();
+  assert.notEqual((await visit.state()).undo, 'reset');
+});
+
 story('the graphics card puts twisted limbs where the engine does, by matrices and by dual quaternions', {}, async (visit) => {
   const actor = (await visit.state()).actors[0];
   await visit.run({ name: 'set_table', settings: { limits: 'none' } });

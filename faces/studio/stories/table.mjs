@@ -88,7 +88,7 @@ export class Visit {
   /** Waits until so many entries are in the journal. */
   written(count) {
     return this.page.evaluate(async (wanted) => {
-      while ((await globalThis.croquis.table.journal.entries()).length < wanted) await new Promise(requestAnimationFrame);
+      while ((await globalThis.croquis.table.journal.entries(0)).length < wanted) await new Promise(requestAnimationFrame);
     }, count);
   }
 

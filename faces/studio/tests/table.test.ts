@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { describe, expect, it } from 'vitest';
 import type { CameraSpec, Command, PoseFrame, Sample } from '../src/engine/protocol';
-import { MemoryJournal } from '../src/model/journal';
+import { MemoryJournal, stepsStayAbove, type Entry } from '../src/model/journal';
 import { Table } from '../src/model/table';
 import { startLocalEngine } from './local_engine';
 
@@ -62,8 +62,9 @@ function anyCommand(table: Table, random: () => number): Command {
 /** Everything a screen shows, as text. */
 async function look(table: Table): Promise<string> {
   const frames: PoseFrame[] = (await table.engine.cancelPreview()).frames;
-  const { undo: _undo, redo: _redo, revision: _revision, ...state } = table.state.value;
-  return JSON.stringify([state, frames.map((frame) => [frame.actor, ...frame.joints])]);
+  const { undo: _undo, redo: _redo, actors, ...state } = table.state.value;
+  const bodies = actors.map(({ format: _format, ...actor }) => actor); // one out of a project has a file
+  return JSON.stringify([bodies, state, frames.map((frame) => [frame.actor, ...frame.joints])]);
 }
 
 describe('the table with the real engine', () => {
@@ -113,7 +114,7 @@ describe('the table with the real engine', () => {
     ]);
     expect(table.busy.value).toBe(0);
     expect(table.state.value.undo).toBe('reset');
-    expect((await journal.entries()).map((entry) => entry.kind)).toEqual(['commit', 'commit', 'undo', 'redo', 'undo', 'commit']);
+    expect((await journal.entries(0)).map((entry) => entry.kind)).toEqual(['commit', 'commit', 'undo', 'redo', 'undo', 'commit']);
     const later = new Table(await startLocalEngine(), journal);
     await later.replay();
     expect(await look(later)).toBe(await look(table));
@@ -126,7 +127,55 @@ describe('the table with the real engine', () => {
     expect(await table.run({ name: 'delete_stroke', stroke: 77 })).toBeNull();
     expect(table.toasts.value.at(-1)?.kind).toBe('error');
     expect(table.toasts.value.at(-1)?.text).toContain('77');
-    expect((await journal.entries()).length).toBe(1);
+    expect((await journal.entries(0)).length).toBe(1);
+  });
+
+  it('a long session comes back from where it was last kept, and undo still reaches its beginning', async () => {
+    const random = seeded(4);
+    const journal = new MemoryJournal();
+    const table = new Table(await startLocalEngine(), journal);
+    await table.run({ name: 'add_character', character: 'cat' });
+    const looks = [await look(table)];
+    const go = async (steps: number): Promise<void> => {
+      for (const until = looks.length + steps; looks.length < until; ) {
+        const { actors, strokes } = table.state.value;
+        const actor = actors[0]!.id;
+        const command: Command =
+          random() < 0.5 || strokes.length === 0
+            ? { name: 'draw', actor, samples: curve(random), camera, settings: {} }
+            : { name: 'rotate', actor, joint: Math.floor(random() * 20), rotation_model: [0, 0.2 * random(), 0.1, 0.97] };
+        if (await table.run(command)) looks.push(await look(table));
+      }
+    };
+    await go(20);
+    await table.keepCheckpoint();
+    await go(3);
+
+    const engine = await startLocalEngine();
+    let played = 0;
+    const commit = engine.commit.bind(engine);
+    engine.commit = (command, bytes) => ((played += 1), commit(command, bytes));
+    const later = new Table(engine, journal);
+    expect(await later.replay()).toBe(true);
+    expect(played).toBe(3);
+    expect(await look(later)).toBe(looks.at(-1));
+    for (let i = looks.length - 2; i >= 0; --i) {
+      await later.undo();
+      expect(await look(later), `step ${i}`).toBe(looks[i]);
+    }
+    expect(played, 'those before were played when they were asked for').toBe(3 + looks.length);
+
+    await later.redo();
+    const third = new Table(await startLocalEngine(), journal);
+    await third.replay();
+    expect(await look(third), 'undone below what was kept').toBe(looks[1]);
+  });
+
+  it('a journal is played from where the project was kept only if no step goes below', () => {
+    const steps = (text: string): Entry[] =>
+      [...text].map((c): Entry => (c === 'c' ? { kind: 'commit', command: { name: 'clear' } } : { kind: c === 'u' ? 'undo' : 'redo' }));
+    for (const above of ['', 'ccc', 'ccuu', 'cur', 'cucu', 'curu']) expect(stepsStayAbove(steps(above)), above).toBe(true);
+    for (const below of ['u', 'cuu', 'curuu', 'cucuu', 'rcuu']) expect(stepsStayAbove(steps(below)), below).toBe(false);
   });
 
   it('thumbnails of poses change nothing on the table', async () => {

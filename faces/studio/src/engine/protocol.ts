@@ -102,13 +102,9 @@ export interface StrokeInfo {
   hidden: boolean;
   /** The line that was solved: its name and joints. */
   line: BodyLineInfo;
-  status: string;
 }
 
 export interface Alternative {
-  body_line: string;
-  direction: string;
-  energy: number;
   label: string;
 }
 
@@ -121,7 +117,6 @@ export interface TableState {
   poses: { name: string; actor: number }[];
   undo: string;
   redo: string;
-  revision: number;
 }
 
 /** How an actor stands now: what is uploaded for a picture. */

@@ -5,7 +5,10 @@ import { batch, computed, signal } from '@preact/signals';
 import type { Change } from '../engine/messages';
 import type { EngineClient, EngineError } from '../engine/client';
 import type { Command, PoseFrame, Solved, StrokeSettings, TableState } from '../engine/protocol';
-import type { Journal } from './journal';
+import { t } from '../i18n/strings';
+import { stepsStayAbove, type Checkpoint, type Entry, type Journal } from './journal';
+
+const CHECKPOINT_AFTER = 12; // entries
 
 export const EMPTY_STATE: TableState = {
   actors: [],
@@ -15,7 +18,6 @@ export const EMPTY_STATE: TableState = {
   poses: [],
   undo: '',
   redo: '',
-  revision: 0,
 };
 
 export interface Toast {
@@ -47,6 +49,8 @@ export class Table {
   readonly toasts = signal<Toast[]>([]);
   /** Changes that are on their way: the page shows what the engine holds when there is none. */
   readonly busy = signal(0);
+  /** There are steps before those that the engine holds. */
+  readonly earlier = signal(false);
   readonly timings: Timing[] = [];
   readonly current = computed(() => this.state.value.actors.find((a) => a.id === this.actor.value) ?? null);
   readonly currentStroke = computed(() => this.state.value.strokes.find((s) => s.id === this.stroke.value) ?? null);
@@ -55,6 +59,11 @@ export class Table {
   onState: () => Promise<void> = async () => {};
   private nextToast = 1;
   private showing: Promise<void> = Promise.resolve();
+  private recalling: Promise<void> | null = null;
+  /** Entries of the journal; those that the checkpoint stands for; whether one of the others takes long to play. */
+  private written = 0;
+  private kept = 0;
+  private costly = false;
 
   constructor(
     readonly engine: EngineClient,
@@ -65,10 +74,11 @@ export class Table {
   run(command: Command, bytes?: Uint8Array): Promise<Change | null> {
     return this.whileBusy(async () => {
       try {
+        if (this.recalling) await this.recalling;
         const copy = bytes?.slice();
         const change = await this.engine.commit(command, bytes);
         // Replies come in the order of the commands: written down at once, the journal is in order too.
-        void this.journal.append({ kind: 'commit', command, ...(copy ? { bytes: copy } : {}) });
+        this.write({ kind: 'commit', command, ...(copy ? { bytes: copy } : {}) });
         await this.accept(change);
         if (change.solved) this.solvedStroke.value = 'stroke' in command ? command.stroke : (this.state.value.strokes.at(-1)?.id ?? null);
         if (change.notice) this.tell(change.notice);
@@ -127,25 +137,98 @@ export class Table {
     });
   }
 
-  undo = (): Promise<void> => this.step('undo');
+  undo = async (): Promise<void> => {
+    if (this.earlier.peek() && this.state.peek().undo === '') await (this.recalling ??= this.recall());
+    await this.step('undo');
+  };
   redo = (): Promise<void> => this.step('redo');
 
-  /** Plays the journal of an earlier visit; what cannot be played any more is told and left out. */
-  async replay(): Promise<number> {
-    const entries = await this.journal.entries();
-    let played = 0;
+  /** Fetches what an earlier visit left, and says whether there was anything: the project as it was last kept and the
+      steps since then, or else every step. */
+  async replay(): Promise<boolean> {
+    return this.whileBusy(async () => {
+      const checkpoint = await this.journal.checkpoint();
+      const since = await this.journal.entries(checkpoint?.entries ?? 0);
+      let entries = since;
+      if (checkpoint && stepsStayAbove(since) && (await this.restore(checkpoint))) {
+        this.kept = this.written = checkpoint.entries;
+        this.earlier.value = true;
+      } else if (checkpoint) {
+        entries = await this.journal.entries(0);
+      }
+      await this.play(entries);
+      await this.refresh();
+      return this.written > 0;
+    });
+  }
+
+  /** Keeps the project as it stands beside the journal, if it is worth it and nothing is going on: the next visit then
+      starts from there. Undo still reaches every step before. */
+  async keepCheckpoint(): Promise<void> {
+    const worth = this.costly || this.written - this.kept >= CHECKPOINT_AFTER;
+    if (!worth || this.busy.peek() > 0 || this.state.peek().redo !== '') return;
+    const entries = this.written;
+    const project = await this.engine.export('croquis', 0);
+    await this.journal.keep({ project, entries });
+    this.kept = entries;
+    this.costly = false;
+  }
+
+  /** Plays every step of the journal again, so that undo reaches those before the checkpoint. */
+  private async recall(): Promise<void> {
+    await this.whileBusy(async () => {
+      this.tell(t('recalling'));
+      await this.engine.cancelPreview(); // what was under way is answered, and so in the journal
+      const entries = await this.journal.entries(0);
+      await this.engine.begin();
+      this.written = 0;
+      await this.play(entries);
+      this.earlier.value = false;
+      this.recalling = null;
+    });
+  }
+
+  private async restore(checkpoint: Checkpoint): Promise<boolean> {
+    try {
+      const change = await this.engine.restore(checkpoint.project);
+      if (change.state) this.state.value = change.state;
+      return true;
+    } catch {
+      return false; // of another version, perhaps: the journal has it all
+    }
+  }
+
+  /** What cannot be played any more is told and left out. */
+  private async play(entries: Entry[]): Promise<void> {
+    let state = this.state.peek();
     for (const entry of entries) {
       try {
         const change =
           entry.kind === 'commit' ? await this.engine.commit(entry.command, entry.bytes?.slice()) : await this.engine[entry.kind]();
-        if (change.state) this.state.value = change.state;
-        played += 1;
+        state = change.state ?? state;
       } catch (error) {
         this.tell((error as Error).message, 'error');
       }
+      this.count(entry);
     }
-    await this.refresh();
-    return played;
+    this.state.value = state;
+  }
+
+  private write(entry: Entry): void {
+    this.count(entry);
+    void this.journal.append(entry);
+  }
+
+  private count(entry: Entry): void {
+    this.written += 1;
+    this.costly ||= entry.kind === 'commit' && /^(add_character|open|set_proportions)$/.test(entry.command.name);
+  }
+
+  private async refresh(): Promise<void> {
+    await this.show();
+    const change = await this.engine.cancelPreview();
+    this.onFrames(change.frames);
+    this.mendSelection();
   }
 
   /** One after the other: a character whose buffers are still coming may be taken away meanwhile. */
@@ -153,13 +236,6 @@ export class Table {
     const shown = this.showing.then(() => this.onState());
     this.showing = shown.catch(() => {});
     await shown;
-  }
-
-  async refresh(): Promise<void> {
-    await this.show();
-    const change = await this.engine.cancelPreview();
-    this.onFrames(change.frames);
-    this.mendSelection();
   }
 
   tell(text: string, kind: Toast['kind'] = 'note'): void {
@@ -174,9 +250,10 @@ export class Table {
 
   private step(kind: 'undo' | 'redo'): Promise<void> {
     return this.whileBusy(async () => {
+      if (this.recalling) await this.recalling;
       const change = await this.engine[kind]();
       // Only now: the label of before a command that was still on its way says nothing.
-      if (this.state.value[kind] !== '') void this.journal.append({ kind });
+      if (this.state.value[kind] !== '') this.write({ kind });
       await this.accept(change);
     });
   }

@@ -67,7 +67,7 @@ function TopBar({ studio, panelsOpen, togglePanels }: { studio: Studio; panelsOp
   return (
     <header class="top">
       <h1>{t('appName')}</h1>
-      <IconButton icon="undo" label={undo ? t('undoLabel', undo) : t('undo')} disabled={!undo} onClick={() => void studio.table.undo()} />
+      <IconButton icon="undo" label={undo ? t('undoLabel', undo) : t('undo')} disabled={!undo && !studio.table.earlier.value} onClick={() => void studio.table.undo()} />
       <IconButton icon="redo" label={redo ? t('redoLabel', redo) : t('redo')} disabled={!redo} onClick={() => void studio.table.redo()} />
       <span class="space" />
       <IconButton icon="mirror" label={t('mirror')} onClick={() => void studio.table.run({ name: 'mirror', actor: studio.table.actor.value, side: 'both' })} />
