@@ -136,6 +136,10 @@ TEST(DrawingPlane, FreeFacesTheCameraAndGroundStandsUpright) {
   camera.position = Vec3(0, 5, 0);
   camera.up = Vec3(0, 0, -1);
   EXPECT_THROW((void)drawing_plane_normal(DrawingPlane::ground, camera), Error);
+  camera.position = Vec3(0, 5, 0.05);
+  EXPECT_THROW((void)drawing_plane_normal(DrawingPlane::ground, camera), Error) << "as good as from straight above";
+  camera.position = Vec3(0, 5, 0.5);
+  EXPECT_NO_THROW((void)drawing_plane_normal(DrawingPlane::ground, camera));
 }
 
 TEST(DrawingPlane, UnprojectedPointsLieOnThePlaneAndProjectBack) {

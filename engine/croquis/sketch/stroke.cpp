@@ -12,6 +12,9 @@
 namespace croquis {
 namespace {
 
+/// The least horizontal part of a unit direction of view from which an upright plane can be drawn on.
+constexpr double kSteepest = 0.02;
+
 std::string stroke_name(const Stroke& stroke) {
   return stroke.name.empty() ? std::string("stroke") : "stroke \"" + printable(stroke.name) + "\"";
 }
@@ -110,7 +113,7 @@ Vec3 drawing_plane_normal(DrawingPlane plane, const Camera& camera) {
   const Vec3 toward_camera = -camera.forward();
   if (plane == DrawingPlane::free) return toward_camera;
   const Vec3 level(toward_camera.x(), 0.0, toward_camera.z());
-  if (level.norm() < 1e-6) {
+  if (level.norm() < kSteepest) {
     throw_invalid_argument("drawing plane: an upright plane cannot be drawn on from straight above or below");
   }
   return level.normalized();

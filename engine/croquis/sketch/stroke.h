@@ -44,7 +44,8 @@ struct CleanStrokeOptions {
 /// camera, `ground` upright (holding the ground's normal) and turned to the camera as far as that allows.
 enum class DrawingPlane { free, ground };
 
-/// The plane's unit normal. Throws invalid_argument for `ground` seen from straight above or below.
+/// The plane's unit normal. Throws invalid_argument for `ground` seen from straight above or below, or within about a
+/// degree of it, where a pixel would stand for half the scene.
 [[nodiscard]] Vec3 drawing_plane_normal(DrawingPlane plane, const Camera& camera);
 
 /// The points of a picture on a plane through `centre`. Throws invalid_argument if a ray misses the plane.
