@@ -7,7 +7,7 @@ import { openJournal, type NoStorage } from './model/journal';
 import './model/prefs';
 import { Studio } from './studio';
 import type { PointerSample } from './tools/gestures';
-import { dialog, keyOf, makeActions } from './ui/actions';
+import { actionFor, dialog, keyOf, makeActions } from './ui/actions';
 import { App } from './ui/app';
 import { startMeter } from './ui/meter';
 import './ui/style.css';
@@ -54,7 +54,6 @@ function listen(studio: Studio): void {
   }, { passive: false });
 
   const actions = makeActions(studio);
-  const byKey = new Map(actions.flatMap((action) => action.keys.map((key) => [key, action] as const)));
   window.addEventListener('keydown', (event) => {
     const inText = event.target instanceof HTMLInputElement && !/range|checkbox/.test(event.target.type);
     if (event.key === ' ' && (event.target === canvas || event.target === document.body)) {
@@ -63,7 +62,7 @@ function listen(studio: Studio): void {
     }
     if (event.key === 'Escape') gestures.cancel();
     if (event.key === 'Tab') document.documentElement.dataset['keys'] = 'true';
-    const action = byKey.get(keyOf(event));
+    const action = actionFor(actions, keyOf(event), studio.tool.value);
     const plain = !event.ctrlKey && !event.metaKey && !event.altKey;
     if (!action || inText || dialog.value !== 'none' || (plain && event.target instanceof HTMLSelectElement)) return;
     event.preventDefault();

@@ -4,7 +4,7 @@ import * as THREE from 'three';
 import type { ActorInfo, CameraSpec, Sample, StrokeInfo, Vec3 } from './engine/protocol';
 import { dark, showSkeleton } from './model/prefs';
 import type { Table } from './model/table';
-import type { ToolName } from './tools/tool';
+import { AXES, type Axis, type ToolName } from './tools/tool';
 import type { CameraRig } from './view/camera_rig';
 import { type InkLayer, type InkLine, type Marker, toPoints } from './view/ink';
 import type { Stage } from './view/stage';
@@ -13,6 +13,7 @@ const INK = { light: '#8c2f1b', dark: '#ff9d7a' };
 const INK_QUIET = { light: 'rgba(90,60,45,0.45)', dark: 'rgba(255,220,200,0.4)' };
 const SIDE = { left: '#c2572b', right: '#2f6f9f', middle: '#7a6a58' };
 const PICKED = '#b3261e';
+const AXIS: Record<Axis, string> = { x: '#c8372d', y: '#3f8f3a', z: '#2f6fc4' };
 const ENDS = /Hand$|Foot$|Toes$|^head$/;
 
 type Bone = [Marker, Marker, string];
@@ -29,10 +30,11 @@ export class Overlay {
     private readonly stage: Stage,
     private readonly ink: InkLayer,
     private readonly tool: () => ToolName,
+    private readonly axis: () => Axis | null,
   ) {}
 
   /** Lines, and with `helpers` bones and joints; `live` is the line under the pen. */
-  draw(live: LiveLine | null, hovered: number | null, helpers = true): void {
+  draw(live: LiveLine | null, hovered: number | null, { helpers = true, ink = this.ink } = {}): void {
     const theme = dark.value ? 'dark' : 'light';
     const lines: InkLine[] = [];
     for (const stroke of this.table.state.value.strokes) {
@@ -45,9 +47,10 @@ export class Overlay {
         lines.push({ points: this.anchored(stroke), color: INK_QUIET[theme], width: 2.5, dashed: true });
       }
     }
+    if (helpers) lines.push(...this.heldAxis());
     if (live) lines.push({ points: toPoints(live.samples), color: INK[theme], width: 4.5, handles: live.editing !== null });
     const [bones, markers]: [Bone[], Marker[]] = helpers ? this.helpers(live !== null, hovered) : [[], []];
-    this.ink.draw(lines, bones, markers);
+    ink.draw(lines, bones, markers);
   }
 
   /** A line seen from elsewhere: its points in the plane through the character that faced the pen, projected anew. */
@@ -61,6 +64,18 @@ export class Overlay {
       const at = this.stage.rig.project(ndc.unproject(camera));
       return { x: at.x, y: at.y, pressure };
     });
+  }
+
+  /** The axis that rotations are held to, through the joint in hand. */
+  private heldAxis(): InkLine[] {
+    const axis = this.axis();
+    const view = this.stage.characters.get(this.table.actor.value);
+    const joint = this.table.joint.value;
+    if (!axis || !view || joint === null) return [];
+    const half = new THREE.Vector3(...AXES[axis]).multiplyScalar(0.35 * view.info.extent);
+    const at = view.joint(joint);
+    const points = [at.clone().sub(half), at.clone().add(half)].map((p) => ({ ...toXY(this.stage.rig.project(p)), pressure: 0.5 }));
+    return [{ points, color: AXIS[axis], width: 2.5 }];
   }
 
   private helpers(drawing: boolean, hovered: number | null): [Bone[], Marker[]] {
@@ -94,6 +109,8 @@ export class Overlay {
     return [bones, markers];
   }
 }
+
+const toXY = ({ x, y }: THREE.Vector2) => ({ x, y });
 
 export function newestStroke(table: Table): StrokeInfo | null {
   return table.currentStroke.value ?? table.state.value.strokes.at(-1) ?? null;

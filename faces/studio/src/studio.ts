@@ -13,11 +13,12 @@ import { isEnd, isInView, type LiveLine, newestStroke, Overlay } from './overlay
 import { DragTool, RotateTool, SelectTool, type BodyContext } from './tools/body_tools';
 import { distanceTo, DrawTool, type DrawContext } from './tools/draw_tool';
 import { Gestures } from './tools/gestures';
-import type { Tool, ToolName } from './tools/tool';
+import { AXES, type Axis, type Tool, type ToolName } from './tools/tool';
+import { Pictures, type Backdrop } from './pictures';
 import { InkLayer } from './view/ink';
-import { drawOpenPose } from './view/open_pose_picture';
 import { Stage, type Quality } from './view/stage';
 
+const STEEP = 0.02; // as the engine has it: seen from so near to the vertical an upright plane is a line
 const IDLE_MS = 2500; // without a change, before the project is kept beside the journal
 
 export class Studio {
@@ -26,11 +27,13 @@ export class Studio {
   readonly ink: InkLayer;
   readonly gestures: Gestures;
   readonly tool = signal<ToolName>('draw');
+  readonly axis = signal<Axis | null>(null);
   readonly drawingNow = signal(false);
-  readonly backdrop = signal<{ url: string; opacity: number } | null>(null);
+  readonly backdrop = signal<Backdrop | null>(null);
   readonly light = signal({ heading: -0.42, elevation: 0.91 });
   private readonly tools: Record<ToolName, Tool>;
   private live: LiveLine | null = null;
+  readonly pictures: Pictures;
   private readonly overlay: Overlay;
   private hovered: number | null = null;
   private copied: { pose: string } | null = null;
@@ -41,12 +44,14 @@ export class Studio {
     this.table = new Table(engine, journal);
     this.stage = new Stage(canvas, quality);
     this.ink = new InkLayer(glass);
-    this.overlay = new Overlay(this.table, this.stage, this.ink, () => this.tool.value);
+    this.overlay = new Overlay(this.table, this.stage, this.ink, () => this.tool.value, () => this.axis.value);
+    this.pictures = new Pictures(this.table, this.stage, this.overlay, () => this.backdrop.value);
     const body = this.bodyContext();
+    const rotate = new RotateTool(body);
     this.tools = {
       draw: new DrawTool(this.drawContext()),
       drag: new DragTool(body),
-      rotate: new RotateTool(body),
+      rotate,
       select: new SelectTool(body),
     };
     this.gestures = new Gestures({
@@ -69,11 +74,16 @@ export class Studio {
     });
     effect(() => this.stage.setLight(this.light.value.heading, this.light.value.elevation));
     effect(() => {
-      void [showSkeleton.value, this.tool.value, this.table.stroke.value, this.table.joint.value, this.table.picked.value, this.table.segments.value];
+      void [showSkeleton.value, this.tool.value, this.table.stroke.value, this.table.joint.value, this.table.picked.value, this.table.segments.value, this.table.drawing.value];
+      this.stage.invalidate();
+    });
+    effect(() => {
+      void this.axis.value;
+      rotate.turned();
       this.stage.invalidate();
     });
     effect(() => void this.table.skinBy(dualQuaternions.value));
-    effect(() => this.stage.showPlane(this.planeNormal()));
+    this.stage.setPlane(() => this.uprightPlane()?.normal ?? null);
     effect(() => void this.table.checkPicked(this.table.picked.value, this.table.actor.value));
   }
 
@@ -110,7 +120,9 @@ export class Studio {
     const wide = this.size.width >= 900;
     const [tools, panels] = [84, panelsOpen && wide ? 308 : 20];
     const [left, right] = leftHanded.value ? [panels, tools] : [tools, panels];
+    const otherHand = Math.sign(left - right) !== Math.sign(this.stage.insets.left - this.stage.insets.right);
     this.stage.insets = { left, right, top: 76, bottom: 100 };
+    if (otherHand && panelsOpen) this.frameSelected(); // the panels are now where it stood
     document.documentElement.style.setProperty('--left', `${left}px`);
     document.documentElement.style.setProperty('--right', `${right}px`);
   }
@@ -118,6 +130,12 @@ export class Studio {
   choose(tool: ToolName): void {
     this.gestures.cancel();
     this.tool.value = tool;
+    this.axis.value = null;
+  }
+
+  /** Holds rotations to an axis; the same one again lets go. */
+  holdAxis(axis: Axis): void {
+    this.axis.value = this.axis.value === axis ? null : axis;
   }
 
   /** A step through the readings of the newest line: other body line, other direction, other depth. */
@@ -187,28 +205,6 @@ export class Studio {
     }
   }
 
-  picture(width: number, height: number, transparent: boolean, strokes: boolean): Promise<Blob | null> {
-    const canvas = this.stage.snapshot(width, height, transparent, dark.value ? '#24211e' : '#f7f2e8');
-    if (strokes) {
-      const scale = Math.min(width / this.size.width, height / this.size.height);
-      const context = canvas.getContext('2d')!;
-      context.translate((width - this.size.width * scale) / 2, (height - this.size.height * scale) / 2);
-      context.scale(scale, scale);
-      this.drawInk(false);
-      context.drawImage(this.ink.canvas, 0, 0, this.size.width, this.size.height);
-      this.drawInk();
-    }
-    return new Promise((resolve) => canvas.toBlob(resolve, 'image/png'));
-  }
-
-  /** The OpenPose figure of everyone on the table, on black, as picture-making programs want it. */
-  async openPosePicture(): Promise<Blob | null> {
-    const json = await this.export('openpose');
-    if (!json) return null;
-    const canvas = drawOpenPose(await json.text());
-    return new Promise((resolve) => canvas.toBlob(resolve, 'image/png'));
-  }
-
   frameSelected(): void {
     this.stage.frame(this.table.current.value?.id);
   }
@@ -240,21 +236,6 @@ export class Studio {
     await this.table.run({ name: 'apply_pose', actor: this.table.actor.value, pose: this.copied.pose, strength: 1, flipped });
   }
 
-  /** Small pictures of poses, as they look on the current character; empty where it cannot take one. */
-  async thumbnails(poses: { pose: string; hand: boolean }[]): Promise<string[]> {
-    const actor = this.table.actor.value;
-    const view = this.stage.characters.get(actor);
-    if (!view) return [];
-    const commands = poses.map(({ pose }): Command => ({ name: 'apply_pose', actor, pose, strength: 1, flipped: false }));
-    const frames = await this.table.engine.poseFrames(commands);
-    const hand = view.info.joints.flatMap((joint, i) => (/^left(Hand|Thumb|Index|Middle|Ring|Little)/.test(joint.bone) ? [i] : []));
-    const wanted = frames.flatMap((frame, i) => (frame ? [{ frame, focus: poses[i]!.hand ? hand : [], i }] : []));
-    const pictures = this.stage.thumbnails(actor, wanted, 144);
-    const urls = poses.map(() => '');
-    wanted.forEach(({ i }, k) => (urls[i] = pictures[k]?.toDataURL('image/png') ?? ''));
-    return urls;
-  }
-
   private drawContext(): DrawContext {
     return {
       editable: () => {
@@ -262,6 +243,7 @@ export class Studio {
         return stroke && !stroke.hidden && isInView(stroke, this.stage.rig) ? stroke : null;
       },
       camera: () => this.stage.rig.toSpec(),
+      refuses: () => this.refusesPlane(),
       drawCommand: (samples, camera) => this.drawCommand(samples, camera),
       preview: (command) => this.table.preview(command),
       commit: (command) => void this.commitLine(command),
@@ -297,6 +279,11 @@ export class Studio {
         return (x, y) => this.stage.rig.unproject(x, y, through).toArray() as Vec3;
       },
       viewAxis: () => this.stage.rig.camera.getWorldDirection(new THREE.Vector3()).negate().toArray() as Vec3,
+      heldAxis: () => (this.axis.value ? AXES[this.axis.value] : null),
+      axisInView: (axis) => {
+        const { x, y, z } = new THREE.Vector3(...axis).transformDirection(this.stage.rig.camera.matrixWorldInverse);
+        return { x, y, toward: z };
+      },
       boneAxis: (joint) => {
         const character = view();
         const child = character?.info.joints.findIndex((j) => j.parent === joint) ?? -1;
@@ -361,15 +348,23 @@ export class Studio {
     this.stage.show(frames);
   }
 
-  private planeNormal(): THREE.Vector3 | null {
-    if (this.table.drawing.value.plane !== 'ground') return null;
-    const away = this.stage.rig.camera.getWorldDirection(new THREE.Vector3());
-    away.y = 0;
-    return away.length() < 1e-3 ? null : away.normalize();
+  /** The upright plane that lines are meant to lie in, for the methods that use it: its normal; null where it would be
+      seen from straight above. */
+  private uprightPlane(): { normal: THREE.Vector3 | null } | null {
+    const { plane, method } = this.table.drawing.value;
+    if (plane !== 'ground' || method === 'line') return null;
+    const away = this.stage.rig.camera.getWorldDirection(new THREE.Vector3()).setY(0);
+    return { normal: away.length() < STEEP ? null : away.normalize() };
   }
 
-  private drawInk(helpers = true): void {
-    this.overlay.draw(this.live, this.hovered, helpers);
+  private refusesPlane(): boolean {
+    const refused = this.uprightPlane()?.normal === null;
+    if (refused) this.table.tell(t('planeRefused'), 'error');
+    return refused;
+  }
+
+  private drawInk(): void {
+    this.overlay.draw(this.live, this.hovered);
   }
 }
 

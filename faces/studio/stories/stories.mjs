@@ -309,7 +309,10 @@ story('every format is exported, GLB and VRM pass the validator, the picture is 
       return { size: [image.width, image.height], shades: new Set(data).size, clear: data[3] === 0 };
     };
     const { croquis } = globalThis;
-    return [await croquis.picture(320, 240, false, true), await croquis.picture(200, 300, true, false), await croquis.openPosePicture()].reduce(
+    const usual = { transparent: false, strokes: true, backdrop: false };
+    const narrow = { width: 200, height: 300, transparent: true, strokes: false };
+    const { pictures } = croquis;
+    return [await pictures.png({ ...usual, width: 320, height: 240 }), await pictures.png({ ...usual, ...narrow }), await pictures.openPose()].reduce(
       async (all, blob) => [...(await all), await shades(blob)], []);
   });
   assert.deepEqual(levels[0].size, [320, 240]);
@@ -320,6 +323,67 @@ story('every format is exported, GLB and VRM pass the validator, the picture is 
   await visit.page.locator('summary', { hasText: 'File' }).click();
   const [file] = await Promise.all([visit.page.waitForEvent('download'), visit.page.getByRole('button', { name: 'BVH' }).click()]);
   assert.match(file.suggestedFilename(), /\.bvh$/);
+});
+
+story('lines and the picture to trace lie in the PNG where they lie on the table', {}, async (visit) => {
+  await visit.draw(await lean(visit));
+  const told = await visit.page.evaluate(async () => {
+    const { croquis } = globalThis;
+    const red = Object.assign(document.createElement('canvas'), { width: 40, height: 10 });
+    Object.assign(red.getContext('2d'), { fillStyle: '#f00' }).fillRect(0, 0, 40, 10);
+    await croquis.openFile(new File([await new Promise((done) => red.toBlob(done))], 'red.png', { type: 'image/png' }));
+    const [width, height] = [400, 800]; // narrower than the table: its sides are cut off
+    const pixels = async (options) => {
+      const image = await createImageBitmap(await croquis.pictures.png({ width, height, transparent: true, strokes: false, backdrop: false, ...options }));
+      const context = Object.assign(document.createElement('canvas'), { width, height }).getContext('2d');
+      context.drawImage(image, 0, 0);
+      return (x, y) => [...context.getImageData(Math.round(x), Math.round(y), 1, 1).data];
+    };
+    const { clientWidth, clientHeight } = croquis.stage.canvas;
+    const scale = height / clientHeight;
+    const [x, y] = croquis.table.state.value.strokes[0].samples.at(-1);
+    const end = [width / 2 + (x - clientWidth / 2) * scale, y * scale];
+    const [plain, drawn, traced] = [await pixels({}), await pixels({ strokes: true }), await pixels({ backdrop: true })];
+    return { plain: plain(...end), drawn: drawn(...end), above: traced(5, height / 2 - 0.11 * clientWidth * scale), beyond: traced(5, height / 2 - 0.14 * clientWidth * scale) };
+  });
+  assert.ok(distance(told.plain, told.drawn) > 50, 'the end of the line is there');
+  assert.ok(told.above[0] > 200 && told.above[3] > 100, 'the picture is as wide as the table');
+  assert.equal(told.beyond[3], 0, 'and no higher than it is');
+});
+
+story('a joint is rotated about an axis that is held by its key', {}, async (visit) => {
+  const { page } = visit;
+  await page.keyboard.press('r');
+  const elbow = await visit.pixel('leftLowerArm');
+  await visit.tap(elbow);
+  await page.keyboard.press('y');
+  assert.equal(await page.getByRole('button', { name: 'Rotate about Y only' }).getAttribute('aria-pressed'), 'true');
+  const before = await visit.joints();
+  await visit.draw(Array.from({ length: 8 }, (_, i) => ({ x: elbow.x + 9 * i, y: elbow.y })));
+  await visit.undoSays('rotate');
+  const after = await visit.joints();
+  const heights = before.map((value, i) => (i % 3 === 1 ? Math.abs(value - after[i]) : 0));
+  assert.ok(distance(before, after) > 0.01, 'the hand went');
+  assert.ok(Math.max(...heights) < 0.25 * distance(before, after), 'about the upright axis');
+  await page.keyboard.press('d');
+  assert.equal(await page.evaluate(() => globalThis.croquis.axis.value), null);
+});
+
+story('an upright drawing plane is refused in words when it is seen from straight above', {}, async (visit) => {
+  const { page } = visit;
+  await page.locator('summary', { hasText: 'Advanced' }).click();
+  await page.getByLabel('Method').selectOption('rotation');
+  await page.getByLabel('Drawing plane').selectOption('ground');
+  await page.keyboard.press('Escape');
+  await page.locator('#table').focus();
+  await page.keyboard.press('7');
+  const [hips, hand] = [await visit.pixel('hips'), await visit.pixel('leftHand')];
+  await visit.draw(arc(hips, { x: (hips.x + hand.x) / 2, y: hips.y - 30 }, hand, 8));
+  assert.equal((await visit.state()).strokes.length, 0);
+  await page.getByRole('alert').filter({ hasText: 'upright plane' }).waitFor();
+  await page.keyboard.press('1');
+  await visit.draw(await lean(visit));
+  assert.equal((await visit.state()).strokes.length, 1, 'seen from the front it serves');
 });
 
 story('a tab that is killed gives back the project with its history', {}, async (visit) => {

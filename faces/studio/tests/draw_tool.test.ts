@@ -15,6 +15,7 @@ let previews: Command[];
 let commits: Command[];
 let cancelled: number;
 let selected: StrokeInfo | null;
+let refused: boolean;
 let tool: DrawTool;
 
 beforeEach(() => {
@@ -22,9 +23,11 @@ beforeEach(() => {
   commits = [];
   cancelled = 0;
   selected = null;
+  refused = false;
   tool = new DrawTool({
     editable: () => selected,
     camera: () => camera,
+    refuses: () => refused,
     drawCommand: (samples, at) => ({ name: 'draw', actor: 0, samples: [...samples], camera: at, settings: {} }),
     preview: (command) => previews.push(command),
     commit: (command) => commits.push(command),
@@ -54,6 +57,14 @@ describe('draw tool', () => {
     tool.up(p(1, 1));
     expect(commits).toEqual([]);
     expect(cancelled).toBe(1);
+  });
+
+  it('draws nothing where no line can be drawn', () => {
+    refused = true;
+    tool.down(p(0, 0));
+    tool.move([p(50, 0)]);
+    tool.up(p(60, 0));
+    expect([previews, commits, cancelled]).toEqual([[], [], 0]);
   });
 
   it('Escape takes the preview back', () => {

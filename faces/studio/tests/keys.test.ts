@@ -5,7 +5,7 @@ import type { Studio } from '../src/studio';
 vi.stubGlobal('matchMedia', () => ({ matches: false }));
 vi.stubGlobal('navigator', { language: 'en' });
 vi.stubGlobal('document', { documentElement: { dataset: {}, lang: '' } });
-const { keyOf, makeActions } = await import('../src/ui/actions');
+const { actionFor, keyOf, makeActions } = await import('../src/ui/actions');
 
 function pressed(key: string, code: string, held: string[] = []): KeyboardEvent {
   const has = (name: string): boolean => held.includes(name);
@@ -28,9 +28,20 @@ describe('keys', () => {
     expect(keyOf(pressed('z', 'KeyY', ['Ctrl'])), 'a German Z').toBe('Ctrl+Z');
   });
 
-  it('none of them means two things', () => {
-    const keys = makeActions({ table: {} } as unknown as Studio).flatMap((action) => action.keys);
-    expect(keys.length).toBeGreaterThan(30);
-    expect(keys.filter((key, i) => keys.indexOf(key) !== i)).toEqual([]);
+  it('none of them means two things at a time', () => {
+    const actions = makeActions({ table: {} } as unknown as Studio);
+    for (const tool of [undefined, 'draw', 'drag', 'rotate', 'select']) {
+      const keys = actions.filter((action) => action.tool === tool).flatMap((action) => action.keys);
+      expect(keys.filter((key, i) => keys.indexOf(key) !== i)).toEqual([]);
+      if (!tool) expect(keys.length).toBeGreaterThan(30);
+    }
+  });
+
+  it('X deletes a line, and holds an axis while joints are rotated', () => {
+    const actions = makeActions({ table: {} } as unknown as Studio);
+    expect(actionFor(actions, 'X', 'draw')?.id).toBe('delete');
+    expect(actionFor(actions, 'X', 'rotate')?.id).toBe('axis.x');
+    expect(actionFor(actions, 'Z', 'draw')).toBeUndefined();
+    expect(actionFor(actions, 'M', 'rotate')?.id).toBe('mirror');
   });
 });

@@ -12,6 +12,7 @@ const TABLE = {
   draw: ['Draw', 'Tracer'],
   drag: ['Move hand or foot', 'Déplacer main ou pied'],
   rotate: ['Rotate joint', 'Tourner une articulation'],
+  holdAxis: ['Rotate about {0} only', 'Tourner autour de {0} seulement'],
   select: ['Pick joints and lines', 'Choisir articulations et lignes'],
   undo: ['Undo', 'Annuler'],
   recalling: ['Bringing back earlier steps…', 'On retrouve les étapes précédentes…'],
@@ -29,6 +30,7 @@ const TABLE = {
   height: ['Height', 'Hauteur'],
   transparent: ['Transparent background', 'Fond transparent'],
   withStrokes: ['With strokes', 'Avec les traits'],
+  withBackdrop: ['With the picture to trace', "Avec l'image à décalquer"],
   cancel: ['Cancel', 'Annuler'],
   close: ['Close', 'Fermer'],
   line: ['Line', 'Ligne'],
@@ -52,6 +54,7 @@ const TABLE = {
   rightToLeft: ['Right side to left', 'Côté droit vers le gauche'],
   resetAll: ['Reset all', 'Tout remettre'],
   resetLimb: ['Reset limb', 'Remettre le membre'],
+  resetShort: ['Reset limb', 'Remettre'],
   towardStart: ['Blend back to the start', 'Revenir vers le départ'],
   copy: ['Copy pose', 'Copier la pose'],
   paste: ['Paste pose', 'Coller la pose'],
@@ -92,7 +95,7 @@ const TABLE = {
   lengthExtend: ['Extend', 'Prolonger'],
   shelf: ['Poses', 'Poses'],
   hands: ['Hands', 'Mains'],
-  mine: ['Mine', 'Les miennes'],
+  mine: ['Mine', 'À moi'],
   keepPose: ['Keep this pose', 'Garder cette pose'],
   strength: ['Strength', 'Force'],
   flipped: ['Flipped', 'Retournée'],
@@ -175,14 +178,6 @@ export const language = signal<Language>('en');
 export function t(key: StringKey, ...values: (string | number)[]): string {
   const text: string = TABLE[key][language.value === 'fr' ? 1 : 0];
   return text.replace(/\{(\d)\}/g, (_, i: string) => String(values[Number(i)] ?? ''));
-}
-
-/** Names that the engine gives to lines and bones, in words: 'left_foot-head' -> 'left foot – head'. */
-export function spell(name: string): string {
-  return name
-    .replaceAll('_', ' ')
-    .replace(/(?<=[a-z])[A-Z]/g, (capital) => ` ${capital.toLowerCase()}`)
-    .replace(/(?<=\w)-(?=\w)/g, ' – ');
 }
 
 /** A built-in character in words. */

@@ -13,6 +13,10 @@ export interface BodyContext {
   /** Maps pixels to points of the plane that faces the camera through where the joint is now. */
   planeThrough(joint: number): (x: number, y: number) => Vec3;
   viewAxis(): Vec3;
+  /** The axis of the scene that is held, if one is. */
+  heldAxis(): Vec3 | null;
+  /** A direction as the viewer sees it: to the right, up, and toward him. */
+  axisInView(axis: Vec3): { x: number; y: number; toward: number };
   boneAxis(joint: number): Vec3;
   selectJoint(joint: number | null): void;
   selectStroke(stroke: number | null): void;
@@ -69,9 +73,20 @@ export class DragTool implements Tool {
   }
 }
 
-/** rotate.idle -> rotate.turning -> rotate.idle; with Shift the joint twists about its bone. */
+interface Grab {
+  joint: number;
+  centre: { x: number; y: number };
+  start: PointerSample;
+  twist: boolean;
+}
+
+const PER_PIXEL = 0.012; // radians
+
+/** rotate.idle -> rotate.turning -> rotate.idle. A joint turns about the line of sight, or about an axis of the scene that
+    is held; with Shift it twists about its bone. */
 export class RotateTool implements Tool {
-  private grabbed: { joint: number; centre: { x: number; y: number }; start: PointerSample; axis: Vec3; twist: boolean } | null = null;
+  private grabbed: Grab | null = null;
+  private at: PointerSample | null = null;
   private last: Command | null = null;
 
   constructor(private readonly context: BodyContext) {}
@@ -87,32 +102,52 @@ export class RotateTool implements Tool {
   down(p: PointerSample): void {
     const joint = this.context.jointAt(p.x, p.y, false);
     this.context.selectJoint(joint);
-    this.last = null;
-    if (joint === null) return;
-    const axis = p.shift ? this.context.boneAxis(joint) : this.context.viewAxis();
-    this.grabbed = { joint, centre: this.context.jointPixel(joint), start: p, axis, twist: p.shift };
+    this.last = this.at = null;
+    if (joint !== null) this.grabbed = { joint, centre: this.context.jointPixel(joint), start: p, twist: p.shift };
   }
 
   move(points: PointerSample[]): void {
-    const p = points.at(-1);
-    if (!this.grabbed || !p) return;
-    const { joint, centre, start, axis, twist } = this.grabbed;
-    const dx = p.x - start.x;
-    const far = Math.hypot(start.x - centre.x, start.y - centre.y) > 24;
-    const around = Math.atan2(start.y - centre.y, start.x - centre.x) - Math.atan2(p.y - centre.y, p.x - centre.x);
-    const angle = twist ? dx * 0.012 : far ? around : -dx * 0.012;
+    this.at = points.at(-1) ?? this.at;
+    this.turned();
+  }
+
+  /** The axis was changed, perhaps in the middle of a turn. */
+  turned(): void {
+    if (!this.grabbed || !this.at) return;
+    const { joint, start, twist } = this.grabbed;
+    const held = twist ? this.context.boneAxis(joint) : this.context.heldAxis();
+    const axis = held ?? this.context.viewAxis();
+    const angle = twist ? (this.at.x - start.x) * PER_PIXEL : held ? this.angleAbout(held) : this.angleInView();
     this.last = { name: 'rotate', actor: this.context.actor(), joint, rotation_model: turn(axis, angle) };
     this.context.preview(this.last);
   }
 
+  /** How far the hand went around the joint; from close by, how far it went across. */
+  private angleInView(): number {
+    const { centre, start } = this.grabbed!;
+    const p = this.at!;
+    if (Math.hypot(start.x - centre.x, start.y - centre.y) <= 24) return -(p.x - start.x) * PER_PIXEL;
+    return Math.atan2(start.y - centre.y, start.x - centre.x) - Math.atan2(p.y - centre.y, p.x - centre.x);
+  }
+
+  /** About an axis that points at the viewer (or away) as in the view; about one that lies across, as if the hand rolled
+      the side of the joint that it sees. */
+  private angleAbout(axis: Vec3): number {
+    const seen = this.context.axisInView(axis);
+    if (Math.abs(seen.toward) > 0.7) return Math.sign(seen.toward) * this.angleInView();
+    const { start } = this.grabbed!;
+    const across = Math.hypot(seen.x, seen.y);
+    return (((this.at!.x - start.x) * seen.y + (this.at!.y - start.y) * seen.x) / across) * PER_PIXEL;
+  }
+
   up(): void {
     if (this.last) this.context.commit(this.last);
-    this.grabbed = this.last = null;
+    this.grabbed = this.last = this.at = null;
   }
 
   cancel(): void {
     if (this.last) this.context.cancelPreview();
-    this.grabbed = this.last = null;
+    this.grabbed = this.last = this.at = null;
   }
 }
 

@@ -12,6 +12,8 @@ export interface DrawContext {
   /** The selected line, if it is drawn in the present view. */
   editable(): StrokeInfo | null;
   camera(): CameraSpec;
+  /** Tells why no line can be drawn now, if none can. */
+  refuses(): boolean;
   /** The command that draws these samples as they are meant now. */
   drawCommand(samples: Sample[], camera: CameraSpec): Command;
   preview(command: Command): void;
@@ -45,7 +47,7 @@ export class DrawTool implements Tool {
       this.state = { path: 'point', stroke, index: handle, x: p.x, y: p.y, now: stroke.samples };
     } else if (stroke && distanceTo(stroke.samples, p).distance < GRAB_PX) {
       this.state = { path: 'part', stroke, drawn: [toSample(p, p.time)], start: p.time };
-    } else {
+    } else if (!this.context.refuses()) {
       const camera = this.context.camera();
       this.state = { path: 'drawing', camera, samples: [toSample(p, p.time)], start: p.time };
       this.context.showInk(this.state.samples, null);

@@ -14,3 +14,7 @@ export interface Tool {
 }
 
 export type ToolName = 'draw' | 'drag' | 'rotate' | 'select';
+
+/** An axis of the scene that rotations are held to. */
+export type Axis = 'x' | 'y' | 'z';
+export const AXES: Record<Axis, [number, number, number]> = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };

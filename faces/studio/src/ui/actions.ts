@@ -6,12 +6,15 @@ import { builtinName, t, type StringKey } from '../i18n/strings';
 import { dark, leftHanded, showMini, showSkeleton } from '../model/prefs';
 import { language } from '../i18n/strings';
 import type { Studio } from '../studio';
+import type { Axis, ToolName } from '../tools/tool';
 
 export interface Action {
   id: string;
   label: () => string;
   /** As a person reads it: 'Ctrl+Z'. The first is shown; all work. */
   keys: string[];
+  /** Its keys mean this only while that tool is in hand; there they go before those of the whole table. */
+  tool?: ToolName;
   run: () => void | Promise<void>;
 }
 
@@ -36,8 +39,10 @@ export async function exportFile(studio: Studio, format: ExportFormat): Promise<
 
 /** Two files: the figure as a picture, and its points as JSON. */
 export async function exportOpenPose(studio: Studio): Promise<void> {
-  await download(await studio.openPosePicture(), 'openpose.png', studio);
-  await download(await studio.export('openpose'), 'openpose.json', studio);
+  const json = await studio.export('openpose');
+  if (!json) return; // it was told why
+  await download(await studio.pictures.openPose(), 'openpose.png', studio);
+  await download(json, 'openpose.json', studio);
 }
 
 export function chooseFile(studio: Studio): void {
@@ -69,6 +74,10 @@ export function makeActions(studio: Studio): Action[] {
     action('drag', 'drag', ['G'], () => studio.choose('drag')),
     action('rotate', 'rotate', ['R'], () => studio.choose('rotate')),
     action('select', 'select', ['Q'], () => studio.choose('select')),
+    ...(['x', 'y', 'z'] as Axis[]).map((axis): Action => ({
+      ...action(`axis.${axis}`, () => t('holdAxis', axis.toUpperCase()), [axis.toUpperCase()], () => studio.holdAxis(axis)),
+      tool: 'rotate',
+    })),
     action('next', 'nextAlternative', [']'], () => studio.cycle(1)),
     action('previous', 'previousAlternative', ['['], () => studio.cycle(-1)),
     action('delete', 'delete', ['Delete', 'X'], () => {
@@ -145,4 +154,10 @@ export function keyOf(event: KeyboardEvent): string {
   const shifted = event.shiftKey && /^[A-Z]$|^[A-Za-z]{2,}/.test(named);
   const modifiers = composed ? [] : [event.ctrlKey || event.metaKey ? 'Ctrl' : '', event.altKey ? 'Alt' : '', shifted ? 'Shift' : ''];
   return [...modifiers, named].filter(Boolean).join('+');
+}
+
+/** The action that a key means with that tool in hand. */
+export function actionFor(actions: Action[], key: string, tool: ToolName): Action | undefined {
+  const known = actions.filter((action) => action.keys.includes(key));
+  return known.find((action) => action.tool === tool) ?? known.find((action) => action.tool === undefined);
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-import { useEffect, useRef, useState } from 'preact/hooks';
-import { spell, t } from '../i18n/strings';
+import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
+import { named, spell } from '../i18n/names';
+import { t } from '../i18n/strings';
 import { hintSeen, leftHanded, showMini } from '../model/prefs';
 import type { Studio } from '../studio';
-import type { ToolName } from '../tools/tool';
+import type { Axis, ToolName } from '../tools/tool';
 import { chooseFile, dialog, exportFile, type Action } from './actions';
 import { Button, IconButton } from './controls';
 import { ExportPicture, Palette } from './dialogs';
@@ -24,9 +25,7 @@ const TOOLS: [ToolName, IconName][] = [
 
 export function App({ studio, actions }: Props) {
   const [panelsOpen, setPanelsOpen] = useState(matchMedia('(min-width: 900px)').matches);
-  useEffect(() => {
-    studio.setInsets(panelsOpen);
-  }, [panelsOpen, leftHanded.value]);
+  useLayoutEffect(() => studio.setInsets(panelsOpen), [panelsOpen, leftHanded.value]);
   return (
     <>
       <ToolBar studio={studio} />
@@ -67,8 +66,8 @@ function TopBar({ studio, panelsOpen, togglePanels }: { studio: Studio; panelsOp
   return (
     <header class="top">
       <h1>{t('appName')}</h1>
-      <IconButton icon="undo" label={undo ? t('undoLabel', undo) : t('undo')} disabled={!undo && !studio.table.earlier.value} onClick={() => void studio.table.undo()} />
-      <IconButton icon="redo" label={redo ? t('redoLabel', redo) : t('redo')} disabled={!redo} onClick={() => void studio.table.redo()} />
+      <IconButton icon="undo" label={undo ? t('undoLabel', named(undo)) : t('undo')} disabled={!undo && !studio.table.earlier.value} onClick={() => void studio.table.undo()} />
+      <IconButton icon="redo" label={redo ? t('redoLabel', named(redo)) : t('redo')} disabled={!redo} onClick={() => void studio.table.redo()} />
       <span class="space" />
       <IconButton icon="mirror" label={t('mirror')} onClick={() => void studio.table.run({ name: 'mirror', actor: studio.table.actor.value, side: 'both' })} />
       <IconButton icon="frame" label={t('frameSelected')} onClick={() => studio.frameSelected()} />
@@ -105,7 +104,13 @@ function JointBar({ studio }: { studio: Studio }) {
     <div class="joint-bar" role="group" aria-label={t('jointTools')}>
       <span class="quiet">{spell(actor.joints[joint]?.bone || actor.joints[joint]?.name || '')}</span>
       <Button onClick={() => void table.run({ name: 'pin', actor: actor.id, joint, on: !pinned, with_rotation: false })}>{t(pinned ? 'unpin' : 'pin')}</Button>
-      <Button onClick={() => void table.run({ name: 'reset', actor: actor.id, joints: studio.limbOf(joint), amount: 1 })}>{t('resetLimb')}</Button>
+      <Button onClick={() => void table.run({ name: 'reset', actor: actor.id, joints: studio.limbOf(joint), amount: 1 })}>{t('resetShort')}</Button>
+      {studio.tool.value === 'rotate' &&
+        (['x', 'y', 'z'] as Axis[]).map((axis) => (
+          <button key={axis} type="button" class="chip axis" aria-pressed={studio.axis.value === axis} aria-label={t('holdAxis', axis.toUpperCase())} title={t('holdAxis', axis.toUpperCase())} onClick={() => studio.holdAxis(axis)}>
+            {axis.toUpperCase()}
+          </button>
+        ))}
       <IconButton icon="close" label={t('close')} onClick={() => (table.joint.value = null)} />
     </div>
   );

@@ -60,9 +60,10 @@ export function ExportPicture({ studio }: { studio: Studio }) {
   const [height, setHeight] = useState(canvas.clientHeight * 2);
   const [transparent, setTransparent] = useState(false);
   const [strokes, setStrokes] = useState(true);
+  const [backdrop, setBackdrop] = useState(false);
   const save = async (): Promise<void> => {
     dialog.value = 'none';
-    await download(await studio.picture(width, height, transparent, strokes), 'croquis.png', studio);
+    await download(await studio.pictures.png({ width, height, transparent, strokes, backdrop }), 'croquis.png', studio);
   };
   const size = (label: string, value: number, set: (v: number) => void) => (
     <label class="field">
@@ -77,6 +78,7 @@ export function ExportPicture({ studio }: { studio: Studio }) {
       {size(t('height'), height, setHeight)}
       <Switch label={t('transparent')} on={transparent} onChange={setTransparent} />
       <Switch label={t('withStrokes')} on={strokes} onChange={setStrokes} />
+      {studio.backdrop.value && <Switch label={t('withBackdrop')} on={backdrop} onChange={setBackdrop} />}
       <div class="row end">
         <button type="button" class="button" onClick={() => (dialog.value = 'none')}>
           {t('cancel')}
@@ -96,6 +98,7 @@ function Modal({ label, children }: { label: string; children: preact.ComponentC
   useLayoutEffect(() => {
     const box = element.current!;
     const closed = (): void => void (dialog.value = 'none');
+    box.addEventListener('cancel', closed); // Escape: at once, so that the next key is the table's again
     box.addEventListener('close', closed);
     box.showModal();
     return () => {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 import type { LimitPreset, Method, StrokeSettings } from '../engine/protocol';
-import { builtinName, spell, t, type StringKey } from '../i18n/strings';
+import { spell } from '../i18n/names';
+import { builtinName, t, type StringKey } from '../i18n/strings';
 import type { Studio } from '../studio';
 import { Button, Choice, IconButton, Section, Slider, Switch } from './controls';
 
@@ -27,7 +28,7 @@ export function LinePanel({ studio }: Props) {
         <div class="row">
           <span class={table.pickedFault.value ? 'fault' : 'quiet'} role="status">
             {table.pickedFault.value ? `${t('notPath')} (${table.pickedFault.value}) ` : ''}
-            {t('pickedJoints')}: {table.picked.value.map((j) => table.current.value?.joints[j]?.name).join(', ')}
+            {t('pickedJoints')}: {table.picked.value.map((j) => spell(table.current.value?.joints[j]?.bone || table.current.value?.joints[j]?.name || '')).join(', ')}
           </span>
           <IconButton icon="close" label={t('clearPicked')} onClick={() => (table.picked.value = [])} />
         </div>
@@ -154,7 +155,7 @@ export function AdvancedPanel({ studio }: Props) {
         label={t('method')}
         value={drawing.method ?? 'line'}
         options={METHODS.map(([value, key]) => [value, t(key)])}
-        onChange={(method) => change({ method })}
+        onChange={(method) => change({ method, ...(drawing.direction === 'length' ? { direction: 'auto' } : {}) })}
       />
       <Choice
         label={t('direction')}
@@ -163,22 +164,21 @@ export function AdvancedPanel({ studio }: Props) {
           ['auto', t('directionAuto')],
           ['forward', t('directionForward')],
           ['backward', t('directionBackward')],
-          ['length', t('directionLength')],
+          ...(drawing.method === 'line' ? [] : [['length', t('directionLength')] as [StrokeSettings['direction'], string]]),
         ]}
         onChange={(direction) => change({ direction })}
       />
-      <Choice
-        label={t('plane')}
-        value={drawing.plane ?? 'free'}
-        options={[
-          ['free', t('planeFree')],
-          ['ground', t('planeGround')],
-        ]}
-        onChange={(plane) => {
-          if (plane === 'ground' && Math.abs(studio.stage.rig.state.elevation) > 1.54) table.tell(t('planeRefused'), 'error');
-          else change({ plane });
-        }}
-      />
+      {drawing.method !== 'line' && (
+        <Choice
+          label={t('plane')}
+          value={drawing.plane ?? 'free'}
+          options={[
+            ['free', t('planeFree')],
+            ['ground', t('planeGround')],
+          ]}
+          onChange={(plane) => change({ plane })}
+        />
+      )}
       <Choice
         label={t('lengthPolicy')}
         value={drawing.length ?? 'fit'}

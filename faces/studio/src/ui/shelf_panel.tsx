@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { useEffect, useMemo, useState } from 'preact/hooks';
+import { named } from '../i18n/names';
 import { t } from '../i18n/strings';
 import { forgetPose, keepPose, keptPoses, posesAsFile } from '../model/pose_shelf';
 import type { Studio } from '../studio';
@@ -94,11 +95,12 @@ function Mine({ studio }: Props) {
 }
 
 function PoseCard({ studio, pose, picture, strength, flipped }: Props & { pose: ShelfPose; picture: string; strength: number; flipped: boolean }) {
+  const label = pose.kind === 'mine' ? pose.name : named(pose.name);
   const apply = () => void studio.table.run({ name: 'apply_pose', actor: studio.table.actor.value, pose: pose.pose, strength, flipped });
   return (
-    <button type="button" class="pose-card" onClick={apply} title={pose.name}>
+    <button type="button" class="pose-card" onClick={apply} title={label}>
       {picture ? <img src={picture} alt="" style={flipped ? 'transform: scaleX(-1)' : ''} /> : <span class="blank" />}
-      <span>{pose.name}</span>
+      <span>{label}</span>
     </button>
   );
 }
@@ -113,7 +115,7 @@ function useThumbnails(studio: Studio, poses: ShelfPose[], key: string): Map<str
       for (let i = 0; i < poses.length && current; i += 6) {
         while (studio.gestures.path !== 'idle' && current) await new Promise((later) => setTimeout(later, 200));
         const some = poses.slice(i, i + 6);
-        const urls = await studio.thumbnails(some.map((pose) => ({ pose: pose.pose, hand: pose.kind === 'hand' })));
+        const urls = await studio.pictures.thumbnails(some.map((pose) => ({ pose: pose.pose, hand: pose.kind === 'hand' })));
         some.forEach((pose, k) => made.set(pose.kind + pose.name, urls[k] ?? ''));
         if (current) setPictures(new Map(made));
         await new Promise((later) => setTimeout(later, 30));

@@ -41,6 +41,7 @@ export class Stage {
   private readonly plane: THREE.Mesh<THREE.PlaneGeometry, THREE.MeshBasicMaterial>;
   private waiting = false;
   private mini: (() => Frame | null) | null = null;
+  private planeNormal: () => THREE.Vector3 | null = () => null;
 
   constructor(
     readonly canvas: HTMLCanvasElement,
@@ -122,16 +123,21 @@ export class Stage {
     this.rig.frame(this.bounds(actor), this.insets);
   }
 
-  showPlane(normal: THREE.Vector3 | null): void {
-    this.plane.visible = normal !== null;
-    if (normal) {
-      const box = this.bounds();
-      const centre = box.getCenter(new THREE.Vector3());
-      this.plane.position.copy(centre);
-      this.plane.lookAt(centre.clone().add(normal));
-      this.plane.scale.setScalar(1.4 * box.getSize(new THREE.Vector3()).length());
-    }
+  /** The plane that lines are drawn in: its normal now, null where none is to be shown. */
+  setPlane(normal: () => THREE.Vector3 | null): void {
+    this.planeNormal = normal;
     this.invalidate();
+  }
+
+  private placePlane(): void {
+    const normal = this.planeNormal();
+    this.plane.visible = normal !== null;
+    if (!normal) return;
+    const box = this.bounds();
+    const centre = box.getCenter(new THREE.Vector3());
+    this.plane.position.copy(centre);
+    this.plane.lookAt(centre.clone().add(normal));
+    this.plane.scale.setScalar(1.4 * box.getSize(new THREE.Vector3()).length());
   }
 
   /** Where the view from the side goes; it is drawn into the same canvas. */
@@ -148,32 +154,23 @@ export class Stage {
     });
   }
 
-  /** A picture of the table as it stands: a size of its own, with or without the ground. */
-  snapshot(width: number, height: number, transparent: boolean, paper: string): HTMLCanvasElement {
+  /** Draws what stands on the table over what a canvas holds, in its size; with or without the shadow on the ground. */
+  drawOnto(canvas: HTMLCanvasElement, bare: boolean): void {
     const size = this.renderer.getSize(new THREE.Vector2());
     const ratio = this.renderer.getPixelRatio();
-    const copy = document.createElement('canvas');
-    copy.width = width;
-    copy.height = height;
-    const context = copy.getContext('2d')!;
-    if (!transparent) {
-      context.fillStyle = paper;
-      context.fillRect(0, 0, width, height);
-    }
     const { plane, ground } = this;
     const shown = [plane.visible, ground.mesh.visible] as const;
-    [plane.visible, ground.mesh.visible] = [false, !transparent];
+    [plane.visible, ground.mesh.visible] = [false, !bare];
     this.renderer.setPixelRatio(1);
-    this.renderer.setSize(width, height, false);
-    this.rig.resize(width, height);
+    this.renderer.setSize(canvas.width, canvas.height, false);
+    this.rig.resize(canvas.width, canvas.height);
     this.renderer.render(this.scene, this.rig.camera);
-    context.drawImage(this.canvas, 0, 0);
+    canvas.getContext('2d')!.drawImage(this.canvas, 0, 0);
     [plane.visible, ground.mesh.visible] = shown;
     this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(size.x, size.y, false);
     this.rig.resize(size.x, size.y);
     this.draw();
-    return copy;
   }
 
   /** Small square pictures of one character in other poses, drawn through the canvas, which shows the table again at
@@ -208,6 +205,7 @@ export class Stage {
     this.waiting = false;
     const started = performance.now();
     this.renderer.info.reset();
+    this.placePlane();
     this.renderer.render(this.scene, this.rig.camera);
     const place = this.mini?.();
     if (place) this.drawInto(place, squareCamera(this.bounds(), this.rig.state.heading + Math.PI / 2, place.width / place.height));
