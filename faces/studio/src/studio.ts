@@ -38,6 +38,7 @@ export class Studio {
   private hovered: number | null = null;
   private copied: { pose: string } | null = null;
   private size = { width: 1, height: 1 };
+  private panelsOpen = false;
   private keeping: ReturnType<typeof setTimeout> | undefined;
 
   constructor(engine: EngineClient, journal: Journal, canvas: HTMLCanvasElement, glass: HTMLCanvasElement, quality: Quality = 'full') {
@@ -113,16 +114,22 @@ export class Studio {
     const ratio = Math.min(2, devicePixelRatio || 1);
     this.stage.resize(width, height, ratio);
     this.ink.resize(width, height, ratio);
+    this.inset();
   }
 
-  /** What the panels cover, so that characters are framed beside them. */
-  setInsets(panelsOpen: boolean): void {
-    const wide = this.size.width >= 900;
-    const [tools, panels] = [84, panelsOpen && wide ? 308 : 20];
+  /** Whether the panels are open; on wide screens they stand beside the character, on others over it. */
+  setPanels(open: boolean): void {
+    this.panelsOpen = open;
+    this.inset();
+  }
+
+  /** What tools and panels cover, so that characters are framed beside them. */
+  private inset(): void {
+    const [tools, panels] = [84, this.panelsOpen && this.size.width >= 900 ? 308 : 20];
     const [left, right] = leftHanded.value ? [panels, tools] : [tools, panels];
-    const otherHand = Math.sign(left - right) !== Math.sign(this.stage.insets.left - this.stage.insets.right);
+    const otherHand = (left - right) * (this.stage.insets.left - this.stage.insets.right) < 0;
     this.stage.insets = { left, right, top: 76, bottom: 100 };
-    if (otherHand && panelsOpen) this.frameSelected(); // the panels are now where it stood
+    if (otherHand && this.panelsOpen) this.frameSelected(); // the panels are now where it stood
     document.documentElement.style.setProperty('--left', `${left}px`);
     document.documentElement.style.setProperty('--right', `${right}px`);
   }

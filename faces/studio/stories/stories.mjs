@@ -551,15 +551,25 @@ story('a frame costs one palette upload a character and few draw calls', {}, asy
   assert.ok(after.calls < 40, `${after.calls} draw calls`);
 });
 
-story('screenshots for the README', {}, async (visit) => {
+story('the screenshots of the README, in full quality', {}, async (visit) => {
   mkdirSync(join(ROOT, 'build/screenshots'), { recursive: true });
-  await visit.draw(await lean(visit, 120));
-  for (const [name, width, height] of [['studio_desktop', 1440, 900], ['studio_tablet', 1024, 768]]) {
-    await visit.page.setViewportSize({ width, height });
-    await visit.settled();
-    await visit.page.evaluate(() => globalThis.croquis.frameSelected());
-    await visit.settled();
-    const shot = await visit.page.screenshot({ path: join(ROOT, `build/screenshots/${name}.png`) });
+  await visit.page.close();
+  for (const [name, width, height] of [['studio-desktop', 1440, 900], ['studio-tablet', 1024, 768]]) {
+    const table = new Visit(await browser.newContext({ viewport: { width, height } }), url);
+    await table.load('');
+    const { poses } = await table.page.evaluate(() => globalThis.croquis.table.engine.query('shelf', { actor: globalThis.croquis.table.actor.value }));
+    const { pose } = poses.find(({ name }) => name === 'Walk');
+    await table.run({ name: 'apply_pose', actor: (await table.state()).actors[0].id, pose, strength: 1, flipped: false });
+    const [foot, head] = [await table.pixel('rightFoot'), await table.pixel('head')];
+    const tall = foot.y - head.y;
+    await table.draw(arc(foot, { x: foot.x, y: foot.y - 0.6 * tall }, { x: foot.x + 0.4 * tall, y: foot.y - 1.15 * tall }, 40));
+    await table.until(() => document.querySelector('.pose-card') && !document.querySelector('.pose-card .blank'));
+    await table.settled();
+    const panels = await table.page.locator('.panels').boundingBox();
+    assert.ok((await table.pixel('head')).x < panels.x, 'the character stands beside the panels');
+    const shot = await table.page.screenshot({ path: join(ROOT, `build/screenshots/${name}.png`) });
     assert.ok(shot.length > 20_000, 'the screenshot shows something');
+    await table.close();
   }
+  await visit.load();
 });

@@ -25,7 +25,7 @@ const TOOLS: [ToolName, IconName][] = [
 
 export function App({ studio, actions }: Props) {
   const [panelsOpen, setPanelsOpen] = useState(matchMedia('(min-width: 900px)').matches);
-  useLayoutEffect(() => studio.setInsets(panelsOpen), [panelsOpen, leftHanded.value]);
+  useLayoutEffect(() => studio.setPanels(panelsOpen), [panelsOpen, leftHanded.value]);
   return (
     <>
       <ToolBar studio={studio} />
