@@ -112,8 +112,10 @@ export class Overlay {
 
 const toXY = ({ x, y }: THREE.Vector2) => ({ x, y });
 
+/** The line that is selected, or else the newest of the character in hand. */
 export function newestStroke(table: Table): StrokeInfo | null {
-  return table.currentStroke.value ?? table.state.value.strokes.at(-1) ?? null;
+  const own = table.state.value.strokes.filter((stroke) => stroke.actor === table.actor.value);
+  return table.currentStroke.value ?? own.at(-1) ?? null;
 }
 
 /** A line is shown as drawn only from where it was drawn; from elsewhere it is shown in its plane, quietly. */

@@ -18,6 +18,7 @@ import { Pictures, type Backdrop } from './pictures';
 import { InkLayer } from './view/ink';
 import { Stage, type Quality } from './view/stage';
 
+const REACH_PX = 36; // a finger's reach around a joint
 const STEEP = 0.02; // as the engine has it: seen from so near to the vertical an upright plane is a line
 const IDLE_MS = 2500; // without a change, before the project is kept beside the journal
 
@@ -165,7 +166,7 @@ export class Studio {
 
   async addCharacter(name: string): Promise<void> {
     await this.table.run({ name: 'add_character', character: name });
-    this.table.actor.value = this.table.state.value.actors.at(-1)?.id ?? 0;
+    this.table.take(this.table.state.value.actors.at(-1)?.id ?? 0);
     this.frameSelected();
   }
 
@@ -185,7 +186,7 @@ export class Studio {
     const change = await this.table.run({ name: 'open', file: file.name }, bytes);
     if (!change) return false;
     const newest = this.table.state.value.actors.at(-1);
-    if (newest) this.table.actor.value = newest.id;
+    if (newest) this.table.take(newest.id);
     this.frameSelected();
     this.table.tell(t('opened', newest?.name || file.name));
     return true;
@@ -251,6 +252,7 @@ export class Studio {
       },
       camera: () => this.stage.rig.toSpec(),
       refuses: () => this.refusesPlane(),
+      aim: (x, y) => void this.takeActorAt(x, y, 2 * REACH_PX),
       drawCommand: (samples, camera) => this.drawCommand(samples, camera),
       preview: (command) => this.table.preview(command),
       commit: (command) => void this.commitLine(command),
@@ -279,6 +281,7 @@ export class Studio {
     return {
       actor: () => this.table.actor.value,
       jointAt: (x, y, endsOnly) => this.jointAt(x, y, endsOnly),
+      takeActorAt: (x, y) => this.takeActorAt(x, y, REACH_PX),
       strokeAt: (x, y) => this.strokeAt(x, y),
       jointPixel: (joint) => this.stage.rig.project(view()?.joint(joint) ?? new THREE.Vector3()),
       planeThrough: (joint) => {
@@ -298,7 +301,7 @@ export class Studio {
         return character.joint(child).sub(character.joint(joint)).normalize().toArray() as Vec3;
       },
       selectJoint: (joint) => (this.table.joint.value = joint),
-      selectStroke: (stroke) => (this.table.stroke.value = stroke),
+      selectStroke: (stroke) => this.table.takeStroke(stroke),
       togglePicked: (joint) => {
         const picked = this.table.picked.value;
         this.table.picked.value = picked.includes(joint) ? picked.filter((j) => j !== joint) : [...picked, joint];
@@ -315,16 +318,30 @@ export class Studio {
   }
 
   private jointAt(x: number, y: number, endsOnly: boolean): number | null {
-    const view = this.stage.characters.get(this.table.actor.value);
-    if (!view) return null;
-    let best = { joint: null as number | null, distance: 36 };
-    view.info.joints.forEach((joint, i) => {
+    return this.nearestJoint(this.table.actor.value, x, y, endsOnly).joint;
+  }
+
+  private nearestJoint(actor: number, x: number, y: number, endsOnly = false, within = REACH_PX): { joint: number | null; distance: number } {
+    const best = { joint: null as number | null, distance: within };
+    const view = this.stage.characters.get(actor);
+    view?.info.joints.forEach((joint, i) => {
       if (joint.helper || (endsOnly && !isEnd(view.info, i))) return;
       const at = this.stage.rig.project(view.joint(i));
       const distance = Math.hypot(at.x - x, at.y - y);
-      if (distance < best.distance) best = { joint: i, distance };
+      if (distance < best.distance) Object.assign(best, { joint: i, distance });
     });
-    return best.joint;
+    return best;
+  }
+
+  /** Another character, if it has a joint there and the one in hand has none within `clear` pixels. */
+  private takeActorAt(x: number, y: number, clear: number): boolean {
+    const inHand = this.table.actor.value;
+    if (this.nearestJoint(inHand, x, y, false, clear).joint !== null) return false;
+    const others = [...this.stage.characters.keys()].filter((id) => id !== inHand);
+    const [nearest] = others.map((id) => ({ id, ...this.nearestJoint(id, x, y) })).sort((a, b) => a.distance - b.distance);
+    if (!nearest || nearest.joint === null) return false;
+    this.table.take(nearest.id);
+    return true;
   }
 
   private strokeAt(x: number, y: number): number | null {

@@ -273,6 +273,33 @@ story('views, lens, light, proportions and a second character', {}, async (visit
   assert.notEqual(await page.evaluate(() => globalThis.croquis.table.actor.value), actor.id, 'the newcomer is in hand');
 });
 
+story('a character is taken in hand by a tap, or by a line that starts on it', {}, async (visit) => {
+  const { page } = visit;
+  const [mannequin] = (await visit.state()).actors;
+  await page.evaluate(() => globalThis.croquis.addCharacter('snake'));
+  const snake = (await visit.state()).actors.at(-1);
+  const inHand = () => page.evaluate(() => globalThis.croquis.table.actor.value);
+  assert.equal(await inHand(), snake.id);
+  await page.evaluate((id) => globalThis.croquis.stage.frame(id), mannequin.id);
+  const at = (id, bone) => page.evaluate(([actor, name]) => {
+    const { stage } = globalThis.croquis;
+    const view = stage.characters.get(actor);
+    const { x, y } = stage.rig.project(view.joint(view.info.joints.findIndex((joint) => joint.bone === name || joint.name === name)));
+    return { x, y };
+  }, [id, bone]);
+  const head = await at(mannequin.id, 'head');
+  await page.keyboard.press('q');
+  await visit.tap(head);
+  assert.equal(await inHand(), mannequin.id);
+  assert.deepEqual(await page.evaluate(() => globalThis.croquis.table.picked.value), [], 'the tap did only that');
+  await page.evaluate((id) => globalThis.croquis.table.take(id), snake.id);
+  await page.keyboard.press('d');
+  const hand = await at(mannequin.id, 'leftHand');
+  await visit.draw(arc(head, { x: (head.x + hand.x) / 2, y: head.y - 40 }, hand, 12));
+  assert.equal(await inHand(), mannequin.id);
+  assert.equal((await visit.state()).strokes[0].actor, mannequin.id);
+});
+
 async function saved(visit, format) {
   const text = await visit.page.evaluate(async (f) => {
     const { table, stage } = globalThis.croquis;

@@ -28,6 +28,7 @@ beforeEach(() => {
     editable: () => selected,
     camera: () => camera,
     refuses: () => refused,
+    aim: () => {},
     drawCommand: (samples, at) => ({ name: 'draw', actor: 0, samples: [...samples], camera: at, settings: {} }),
     preview: (command) => previews.push(command),
     commit: (command) => commits.push(command),

@@ -8,6 +8,7 @@ const p = (x: number, y: number, shift = false): PointerSample => ({
   id: 1, type: 'mouse', button: 0, x, y, time: 0, pressure: 0.5, alt: false, shift, space: false,
 });
 
+let elsewhere: boolean;
 let held: Vec3 | null;
 let shown: Quat | null;
 let committed: Command[];
@@ -15,12 +16,14 @@ let tool: RotateTool;
 
 /** The viewer looks along -Z: x is right, y up, z toward him. The joint is at the pixel (100, 100). */
 beforeEach(() => {
+  elsewhere = false;
   held = null;
   shown = null;
   committed = [];
   const context: Partial<BodyContext> = {
     actor: () => 1,
-    jointAt: () => 3,
+    jointAt: () => (elsewhere ? null : 3),
+    takeActorAt: () => ((elsewhere = false), true),
     jointPixel: () => ({ x: 100, y: 100 }),
     viewAxis: () => [0, 0, 1],
     heldAxis: () => held,
@@ -74,6 +77,12 @@ describe('rotate tool', () => {
     tool.move([p(200, 100, true)]);
     expect(angle(shown!)).toBeCloseTo(0.6);
     expect(shown![1]).toBeGreaterThan(0);
+  });
+
+  it('takes another character in hand by its joint', () => {
+    elsewhere = true;
+    tool.down(p(150, 100));
+    expect(tool.path).toBe('rotate.turning');
   });
 
   it('Escape takes it back', () => {

@@ -109,6 +109,23 @@ export class Table {
     );
   }
 
+  /** Takes a character in hand. */
+  take(actor: number): void {
+    batch(() => {
+      this.actor.value = actor;
+      this.joint.value = null;
+      this.picked.value = [];
+      this.stroke.value = null;
+    });
+  }
+
+  /** Selects a line, and takes its character in hand; or none. */
+  takeStroke(stroke: number | null): void {
+    const actor = this.state.peek().strokes.find((s) => s.id === stroke)?.actor;
+    if (actor !== undefined && actor !== this.actor.peek()) this.take(actor);
+    this.stroke.value = stroke;
+  }
+
   /** How bodies are skinned: it changes nothing but what is shown. */
   skinBy(dual: boolean): Promise<void> {
     return this.whileBusy(async () => this.onFrames((await this.engine.skinning(dual)).frames));

@@ -8,6 +8,8 @@ export interface BodyContext {
   actor(): number;
   /** The joint nearest to a pixel (of all, or only of hands, feet and ends), if near enough. */
   jointAt(x: number, y: number, endsOnly: boolean): number | null;
+  /** Takes another character in hand, if one has a joint there. */
+  takeActorAt(x: number, y: number): boolean;
   strokeAt(x: number, y: number): number | null;
   jointPixel(joint: number): { x: number; y: number };
   /** Maps pixels to points of the plane that faces the camera through where the joint is now. */
@@ -25,6 +27,12 @@ export interface BodyContext {
   preview(command: Command): void;
   commit(command: Command): void;
   cancelPreview(): void;
+}
+
+/** A joint there, of the character in hand or else of another, which is then in hand. */
+function grab(context: BodyContext, p: PointerSample, endsOnly: boolean): number | null {
+  const joint = context.jointAt(p.x, p.y, endsOnly);
+  return joint === null && context.takeActorAt(p.x, p.y) ? context.jointAt(p.x, p.y, endsOnly) : joint;
 }
 
 function turn(axis: Vec3, angle: number): Quat {
@@ -49,7 +57,7 @@ export class DragTool implements Tool {
   }
 
   down(p: PointerSample): void {
-    this.joint = this.context.jointAt(p.x, p.y, true);
+    this.joint = grab(this.context, p, true);
     this.last = null;
     if (this.joint !== null) this.pointAt = this.context.planeThrough(this.joint);
     this.context.selectJoint(this.joint);
@@ -100,7 +108,7 @@ export class RotateTool implements Tool {
   }
 
   down(p: PointerSample): void {
-    const joint = this.context.jointAt(p.x, p.y, false);
+    const joint = grab(this.context, p, false);
     this.context.selectJoint(joint);
     this.last = this.at = null;
     if (joint !== null) this.grabbed = { joint, centre: this.context.jointPixel(joint), start: p, twist: p.shift };
@@ -174,6 +182,7 @@ export class SelectTool implements Tool {
     if (!start || Math.hypot(p.x - start.x, p.y - start.y) > 12) return;
     const stroke = this.context.strokeAt(p.x, p.y);
     if (stroke !== null) return this.context.selectStroke(stroke);
+    if (this.context.jointAt(p.x, p.y, false) === null && this.context.takeActorAt(p.x, p.y)) return; // only that for now
     const joint = this.context.jointAt(p.x, p.y, false);
     this.context.selectJoint(joint);
     if (joint !== null) this.context.togglePicked(joint);

@@ -12,6 +12,8 @@ export interface DrawContext {
   /** The selected line, if it is drawn in the present view. */
   editable(): StrokeInfo | null;
   camera(): CameraSpec;
+  /** Takes another character in hand, if the line starts on it and far from the one that is. */
+  aim(x: number, y: number): void;
   /** Tells why no line can be drawn now, if none can. */
   refuses(): boolean;
   /** The command that draws these samples as they are meant now. */
@@ -48,6 +50,7 @@ export class DrawTool implements Tool {
     } else if (stroke && distanceTo(stroke.samples, p).distance < GRAB_PX) {
       this.state = { path: 'part', stroke, drawn: [toSample(p, p.time)], start: p.time };
     } else if (!this.context.refuses()) {
+      this.context.aim(p.x, p.y);
       const camera = this.context.camera();
       this.state = { path: 'drawing', camera, samples: [toSample(p, p.time)], start: p.time };
       this.context.showInk(this.state.samples, null);

@@ -225,7 +225,7 @@ export function CharacterPanel({ studio }: Props) {
           label={t('characters')}
           value={String(actor.id)}
           options={actors.map((a) => [String(a.id), a.name || `#${a.id}`])}
-          onChange={(id) => (table.actor.value = Number(id))}
+          onChange={(id) => table.take(Number(id))}
         />
       )}
       {actors.length > 1 && <Button onClick={() => void table.run({ name: 'remove_actor', actor: actor.id })}>{t('removeCharacter')}</Button>}
