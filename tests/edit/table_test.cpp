@@ -2,6 +2,7 @@
 #include "croquis/edit/table.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 
 #include "croquis/base/error.h"
 #include "croquis/base/random.h"
+#include "croquis/edit/screen_form.h"
 
 namespace croquis {
 namespace {
@@ -270,6 +272,43 @@ TEST(Table, ASavedBuiltInCharacterComesBackWithTheSameJointsAndBodyLines) {
       EXPECT_EQ(before[key], after[key]) << name << ' ' << key;
     }
   }
+}
+
+std::vector<float> joints_of(const Table& table, std::size_t actor) {
+  return make_screen_joints(table.project().actors[actor]);
+}
+
+float most_apart(const std::vector<float>& a, const std::vector<float>& b) {
+  float most = 0.0F;
+  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
+  return most;
+}
+
+TEST(Table, ANewcomerStandsBesideTheOthersAndStaysThere) {
+  Table table = table_with_mannequin();
+  run(table, {{"name", "add_character"}, {"character", "cat"}});
+  const Actor& cat = table.project().actors[1];
+  const int id = cat.id;
+  const Box others = bounding_box(*table.project().actors[0].character, table.project().actors[0].pose);
+  EXPECT_GT(bounding_box(*cat.character, cat.pose).min().x(), others.max().x());
+  const std::vector<float> set_down = joints_of(table, 1);
+
+  for (int twice = 0; twice < 2; ++twice) run(table, {{"name", "mirror"}, {"actor", id}, {"side", "both"}});
+  EXPECT_LT(most_apart(joints_of(table, 1), set_down), 1e-5F) << "mirrored where it stands";
+  const Json turn = {{"name", "rotate"}, {"actor", id}, {"joint", 2}, {"rotation_model", {0, 0.2, 0, 0.97}}};
+  const Json reset = {{"name", "reset"}, {"actor", id}, {"joints", Json::array()}, {"amount", 1}};
+  run(table, turn);
+  run(table, reset);
+  EXPECT_LT(most_apart(joints_of(table, 1), set_down), 1e-6F);
+
+  Table later;
+  later.restore(table.export_file("croquis", 0, "{}"));
+  EXPECT_EQ(joints_of(later, 1), joints_of(table, 1));
+  run(later, turn);
+  run(later, reset);
+  EXPECT_LT(most_apart(joints_of(later, 1), set_down), 1e-6F) << "a saved project knows where it was set down";
+  run(later, {{"name", "set_proportions"}, {"actor", id}, {"proportions", Json::object()}});
+  EXPECT_LT(most_apart(joints_of(later, 1), set_down), 1e-5F);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "croquis/edit/line_setup.h"
 #include "croquis/edit/readings.h"
 #include "croquis/project/joint_order.h"
+#include "croquis/project/set_down.h"
 #include "croquis/rig/joint_limits.h"
 #include "croquis/sketch/stroke.h"
 
@@ -118,6 +119,27 @@ Project add_builtin_character(const Project& project, const std::string& name, c
   for (const auto& [key, member] : kProportions) {
     if (proportions.*member != designed.*member) actor.proportions[key] = proportions.*member;
   }
+  return next;
+}
+
+Project set_down_beside(const Project& project) {
+  if (project.actors.size() < 2) return project;
+  Project next = project;
+  Actor& newcomer = next.actors.back();
+  Box others;
+  double largest = 0.0;
+  for (std::size_t i = 0; i + 1 < next.actors.size(); ++i) {
+    others.extend(bounding_box(*next.actors[i].character, next.actors[i].pose));
+    largest = std::max(largest, next.actors[i].character->skeleton.extent());
+  }
+  const Box own = bounding_box(*newcomer.character, newcomer.pose);
+  if (others.isEmpty() || own.isEmpty()) return project;
+  const double gap = 0.08 * (largest + newcomer.character->skeleton.extent());  // joints are inside the flesh
+  newcomer.place = (others.max().x() + gap - own.min().x()) * Vec3::UnitX();
+  auto moved = std::make_shared<const Character>(set_down(*newcomer.character, newcomer.place));
+  newcomer.pose = moved->start;
+  newcomer.character = std::move(moved);
+  next.check();
   return next;
 }
 

@@ -29,6 +29,9 @@ namespace croquis {
 [[nodiscard]] Project add_builtin_character(const Project& project, const std::string& name,
                                             const Proportions& proportions = {});
 
+/// The newest actor moved along x until it stands clear of the others, if there are any.
+[[nodiscard]] Project set_down_beside(const Project& project);
+
 [[nodiscard]] Project set_pose(const Project& project, int actor, Pose pose);
 
 /// What is to be said of a pose that a line gave.

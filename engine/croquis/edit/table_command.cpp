@@ -13,6 +13,7 @@
 #include "croquis/edit/stroke_commands.h"
 #include "croquis/edit/table_json.h"
 #include "croquis/io/character_file.h"
+#include "croquis/project/set_down.h"
 
 namespace croquis {
 namespace {
@@ -41,7 +42,7 @@ TableChange solved(DrawnStroke drawn, std::string label) {
 TableChange add_builtin(const Call& call) {
   const std::string name = call.arguments.text("character");
   const Proportions proportions = read_proportions(call.arguments.numbers_by_name("proportions"));
-  return plain(add_builtin_character(call.project, name, proportions), "add " + name);
+  return plain(set_down_beside(add_builtin_character(call.project, name, proportions)), "add " + name);
 }
 
 TableChange set_proportions(const Call& call) {
@@ -51,6 +52,7 @@ TableChange set_proportions(const Call& call) {
   if (actor.builtin.empty()) throw_invalid_argument("only the built-in characters have proportions to set");
   actor.proportions = call.arguments.numbers_by_name("proportions");
   auto character = make_builtin_actor(actor.builtin, read_proportions(actor.proportions));
+  if (!actor.place.isZero(0.0)) character = std::make_shared<const Character>(set_down(*character, actor.place));
   // The same skeleton in other measures: rotations carry over, places come from the new body.
   Pose pose = character->start;
   for (std::size_t i = 0; i < pose.local.size(); ++i) pose.local[i].rotation = actor.pose.local[i].rotation;
@@ -80,7 +82,7 @@ TableChange open(const Call& call) {
                 "this file needs '" + printable(uri) + "' beside it: open a .glb, which holds everything");
   };
   auto character = std::make_shared<const Character>(read_character(call.file, name, nothing_beside));
-  return plain(add_character(call.project, std::move(character)), "open " + name);
+  return plain(set_down_beside(add_character(call.project, std::move(character))), "open " + name);
 }
 
 PlacedStroke drawn_stroke(const Project& project, const TableArguments& arguments) {

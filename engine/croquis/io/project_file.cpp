@@ -17,6 +17,7 @@
 #include "croquis/io/gltf_write.h"
 #include "croquis/io/obj.h"
 #include "croquis/io/project_json.h"
+#include "croquis/project/set_down.h"
 
 namespace croquis {
 namespace {
@@ -70,15 +71,20 @@ Json write_actor(GltfEditor& editor, const Actor& actor) {
   for (const Pin& pin : actor.pins) pins.push_back(write_pin(pin, nodes));
   for (const auto& [name, value] : actor.proportions) proportions[name] = value;
   const Vec3& front = character.front;
-  return {{"name", character.name},
-          {"id", actor.id},
-          {"source", write_source(editor, source_of(character))},
-          {"humanoid", write_humanoid(character.humanoid, nodes)},
-          {"front", {front.x(), front.y(), front.z()}},
-          {"pose", write_pose(actor.pose, nodes)},
-          {"pins", std::move(pins)},
-          {"builtin", actor.builtin},
-          {"proportions", std::move(proportions)}};
+  // The file that it is kept as does not know where on the table it was set down.
+  const bool is_moved = character.source == nullptr && !actor.place.isZero(0.0);
+  const SourceFile source = source_of(is_moved ? set_down(character, -actor.place) : character);
+  Json json = {{"name", character.name},
+               {"id", actor.id},
+               {"source", write_source(editor, source)},
+               {"humanoid", write_humanoid(character.humanoid, nodes)},
+               {"front", {front.x(), front.y(), front.z()}},
+               {"pose", write_pose(actor.pose, nodes)},
+               {"pins", std::move(pins)},
+               {"builtin", actor.builtin},
+               {"proportions", std::move(proportions)}};
+  if (!actor.place.isZero(0.0)) json["place"] = {actor.place.x(), actor.place.y(), actor.place.z()};
+  return json;
 }
 
 Character read_source(const GltfDocument& document, const JsonPlace& place) {
@@ -116,6 +122,10 @@ Actor read_actor(const GltfDocument& document, const JsonPlace& place) {
     character.front = front.normalized();
   }
   Actor actor;
+  if (place["place"].exists()) {
+    actor.place = Vec3(place["place"].numbers(3).data());
+    character = set_down(std::move(character), actor.place);
+  }
   actor.pose = read_pose(place["pose"], nodes, character.start);
   actor.id = static_cast<int>(place["id"].integer_or(0, 0, 2147483647));
   const JsonPlace pins = place["pins"], proportions = place["proportions"];

@@ -60,6 +60,7 @@ struct Actor {
   Pose pose;
   int id = 0;  ///< unlike any other actor's; 0 where nobody refers to it
   std::vector<Pin> pins;
+  Vec3 place = Vec3::Zero();                  ///< where it was set down: its character stands there at rest
   std::string builtin;                        ///< the name of a built-in character; empty for one from a file
   std::map<std::string, double> proportions;  ///< of a built-in character, where they are not as designed
 };
