@@ -11,6 +11,7 @@ import { actionFor, dialog, keyOf, makeActions } from './ui/actions';
 import { App } from './ui/app';
 import { startMeter } from './ui/meter';
 import './ui/style.css';
+import './ui/places.css';
 
 const element = <T extends HTMLElement>(id: string): T => document.getElementById(id) as T;
 
@@ -93,6 +94,8 @@ function listen(studio: Studio): void {
 async function start(): Promise<void> {
   const query = new URLSearchParams(location.search);
   const backdrop = element<HTMLDivElement>('backdrop');
+  element('loading').textContent = t('loading');
+  effect(() => element('table').setAttribute('aria-label', t('canvasLabel')));
   const engine = startEngine(); // it gets ready while the rest does
   let studio: Studio | null = null;
   let unheard: NoStorage | null = null;

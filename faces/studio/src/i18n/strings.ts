@@ -61,7 +61,6 @@ const TABLE = {
   pasteFlipped: ['Paste flipped', 'Coller retournée'],
   pin: ['Pin', 'Épingler'],
   unpin: ['Unpin', 'Désépingler'],
-  pins: ['Pins', 'Épingles'],
   rules: ['Rules', 'Règles'],
   limits: ['Joint limits', 'Limites articulaires'],
   limitsAnatomical: ['Anatomical', 'Anatomiques'],
@@ -164,7 +163,6 @@ const TABLE = {
   posesRefused: ['{0} cannot be read: {1}', '{0} est illisible : {1}'],
   forgetPose: ['Forget pose {0}', 'Oublier la pose {0}'],
   jointTools: ['Joint', 'Articulation'],
-  alternativesOf: ['Read as {0}', 'Lu comme {0}'],
   keys: ['Keys', 'Touches'],
   moreAbout: ['About this file', 'À propos du fichier'],
 } as const;

@@ -56,17 +56,16 @@ export function chooseFile(studio: Studio): void {
   input.click();
 }
 
-export function makeActions(studio: Studio): Action[] {
+const action = (id: string, label: StringKey | (() => string), keys: string[], run: Action['run']): Action => ({
+  id,
+  label: typeof label === 'string' ? () => t(label) : label,
+  keys,
+  run,
+});
+
+/** History, tools, lines. */
+const lineActions = (studio: Studio): Action[] => {
   const { table } = studio;
-  const action = (id: string, label: StringKey | (() => string), keys: string[], run: Action['run']): Action => ({
-    id,
-    label: typeof label === 'string' ? () => t(label) : label,
-    keys,
-    run,
-  });
-  const actor = () => table.actor.value;
-  const joint = () => table.joint.value;
-  const exports: ExportFormat[] = ['glb', 'gltf', 'vrm', 'bvh', 'svg'];
   return [
     action('undo', 'undo', ['Ctrl+Z'], table.undo),
     action('redo', 'redo', ['Ctrl+Shift+Z', 'Ctrl+Y'], table.redo),
@@ -92,6 +91,15 @@ export function makeActions(studio: Studio): Action[] {
       const hidden = table.state.value.strokes.filter((stroke) => stroke.hidden);
       for (const stroke of hidden) await table.run({ name: 'set_stroke', stroke: stroke.id, settings: {}, hidden: false });
     }),
+  ];
+};
+
+/** The character in hand. */
+const poseActions = (studio: Studio): Action[] => {
+  const { table } = studio;
+  const actor = () => table.actor.value;
+  const joint = () => table.joint.value;
+  return [
     action('mirror', 'mirror', ['M'], () => void table.run({ name: 'mirror', actor: actor(), side: 'both' })),
     action('leftToRight', 'leftToRight', ['Shift+M'], () => void table.run({ name: 'mirror', actor: actor(), side: 'left' })),
     action('rightToLeft', 'rightToLeft', ['Alt+M'], () => void table.run({ name: 'mirror', actor: actor(), side: 'right' })),
@@ -109,6 +117,13 @@ export function makeActions(studio: Studio): Action[] {
       const pinned = table.current.value?.pins.some((pin) => pin.joint === on) ?? false;
       if (on !== null) void table.run({ name: 'pin', actor: actor(), joint: on, on: !pinned, with_rotation: false });
     }),
+  ];
+};
+
+/** What is seen, and how. */
+const viewActions = (studio: Studio): Action[] => {
+  const { table } = studio;
+  return [
     action('front', 'front', ['1', 'Numpad1'], () => studio.look('front')),
     action('back', 'back', ['Ctrl+1', 'Ctrl+Numpad1'], () => studio.look('back')),
     action('side', 'side', ['3', 'Numpad3'], () => studio.look('side')),
@@ -131,6 +146,14 @@ export function makeActions(studio: Studio): Action[] {
     action('dark', 'dark', [], () => void (dark.value = !dark.value)),
     action('hand', 'leftHanded', [], () => void (leftHanded.value = !leftHanded.value)),
     action('language', 'language', [], () => void (language.value = language.value === 'en' ? 'fr' : 'en')),
+  ];
+};
+
+/** What comes and goes; the list of all this. */
+const fileActions = (studio: Studio): Action[] => {
+  const { table } = studio;
+  const exports: ExportFormat[] = ['glb', 'gltf', 'vrm', 'bvh', 'svg'];
+  return [
     action('open', 'open', ['Ctrl+O'], () => chooseFile(studio)),
     action('save', 'saveProject', ['Ctrl+S'], () => exportFile(studio, 'croquis')),
     action('png', 'exportPng', ['Ctrl+E'], () => void (dialog.value = 'export')),
@@ -138,11 +161,15 @@ export function makeActions(studio: Studio): Action[] {
     ...['mannequin', 'cat', 'snake', 'tree'].map((name) =>
       action(`add.${name}`, () => t('addCharacter', builtinName(name)), [], () => studio.addCharacter(name)),
     ),
-    action('remove', 'removeCharacter', [], () => void table.run({ name: 'remove_actor', actor: actor() })),
+    action('remove', 'removeCharacter', [], () => void table.run({ name: 'remove_actor', actor: table.actor.value })),
     action('new', 'newTable', [], () => studio.newTable()),
     action('openpose', 'exportOpenPose', [], () => exportOpenPose(studio)),
     action('palette', 'palette', ['Ctrl+K', 'F3'], () => void (dialog.value = 'palette')),
   ];
+};
+
+export function makeActions(studio: Studio): Action[] {
+  return [...lineActions(studio), ...poseActions(studio), ...viewActions(studio), ...fileActions(studio)];
 }
 
 /** 'Ctrl+Shift+Z' for a key event: letters and signs by what they mean, digits and the number pad by where they are. */
