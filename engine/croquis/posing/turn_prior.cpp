@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The spreads start from what people do in the clips of the lines-of-action benchmark (`loa_bench --spread` prints it, left
-// and right together); those of neck, thigh, knee and elbow were then fitted to the benchmark with the solver's weights.
+// The spreads start from what people do in the clips of the lines-of-action benchmark (`loa_bench --spread` prints it,
+// left and right together); those of neck, thigh, knee and elbow were then fitted to the benchmark with the solver's
+// weights.
 #include "croquis/posing/turn_prior.h"
 
 #include "croquis/rig/joint_limits.h"
