@@ -95,6 +95,37 @@ TEST(LiveLine, UpdatesAllocateNothing) {
   EXPECT_GT(allocations_so_far() - before, 0);
 }
 
+TEST(LiveLine, TheOtherFootStandsUntilTheLineIsAJump) {
+  const Body body;
+  const HumanoidMap humanoid = recognise_humanoid(body.skeleton);
+  const Pose start = rest_pose(body.skeleton);
+  const int other = body.skeleton.resolve("rightFoot");
+  const auto foot = [&](const Pose& pose) {
+    return compute_positions(body.skeleton, pose)[static_cast<std::size_t>(other)];
+  };
+  LineSolverOptions options;
+  options.limits = make_joint_limits(body.skeleton, humanoid, LimitPreset::anatomical);
+  options.floor = 0.0;
+  const Vec2 ankle = *Camera{}.project(body.skeleton.rest_position(body.line.joints.front()));
+  const Vec2 head = *Camera{}.project(body.skeleton.rest_position(body.line.joints.back()));
+  const auto draw = [&](double lean, double lift) {
+    LiveLine live(body.skeleton, humanoid, start, body.line, LineInput::Direction::forward, Camera{}, options);
+    std::vector<Vec2> points;
+    for (int i = 0; i < 200; ++i) {
+      const double t = i / 199.0;
+      points.push_back(ankle + t * (head - ankle) + Vec2(lean * t * t, -lift));
+      (void)live.update(points);
+    }
+    return live.pose();
+  };
+  const Pose leaning = draw(120, 0);
+  EXPECT_LT((foot(leaning) - foot(start)).norm(), 0.01);
+  const Vec3 moved = compute_positions(body.skeleton, leaning)[static_cast<std::size_t>(body.line.joints.back())] -
+                     body.skeleton.rest_position(body.line.joints.back());
+  EXPECT_GT(moved.norm(), 0.1);
+  EXPECT_GT(foot(draw(0, 400)).y(), foot(start).y() + 0.2);
+}
+
 TEST(LiveLine, TheFirstPixelsAskForLittle) {
   const Body body;
   const Pose start = rest_pose(body.skeleton);

@@ -178,6 +178,39 @@ void LineProblem::add_point(const LineState& state, const BodyPoint& point, cons
   }
 }
 
+/// Notes that the energy changes by slope . dx when a point at x that `node` carries moves.
+void LineProblem::pull(const LineState& state, int node, const Vec3& x, const Vec3& slope, LineModel& model) const {
+  for (int i = node; i >= 0; i = nodes[static_cast<std::size_t>(i)].parent) {
+    const auto at = static_cast<std::size_t>(i);
+    if (nodes[at].column < 0) continue;
+    const Vec3 arm = x - state.position[at];
+    model.pulled[at].noalias() += arm * slope.transpose();
+    model.pulled[at].diagonal().array() -= arm.dot(slope);
+  }
+}
+
+/// Second derivatives by two turns: d2x/dw_i dw_j = w_i x (w_j x (x - x_j)) for i above j, or j itself (then
+/// symmetric).
+void LineProblem::add_circling(const LineState& state, LineModel& model) const {
+  const auto frame_above = [&](std::size_t i) {
+    return nodes[i].parent < 0 ? Mat3(Mat3::Identity()) : state.frame[static_cast<std::size_t>(nodes[i].parent)];
+  };
+  for (std::size_t j = 0; j < nodes.size(); ++j) {
+    if (nodes[j].column < 0) continue;
+    const Mat3& pulled = model.pulled[j];
+    const Mat3 frame = frame_above(j);
+    model.circling.block<3, 3>(nodes[j].column, nodes[j].column) =
+        frame.transpose() * (0.5 * (pulled + pulled.transpose())) * frame;
+    const Mat3 seen = pulled * frame;
+    for (int i = nodes[j].parent; i >= 0; i = nodes[static_cast<std::size_t>(i)].parent) {
+      const auto above = static_cast<std::size_t>(i);
+      if (nodes[above].column < 0) continue;
+      model.circling.block<3, 3>(nodes[j].column, nodes[above].column) =
+          (frame_above(above).transpose() * seen).transpose();
+    }
+  }
+}
+
 double LineProblem::overlap(const LineState& state) const {
   double deepest = 0.0;
   for (const BodyPoints::Pair& pair : body.pairs) {

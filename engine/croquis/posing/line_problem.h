@@ -60,6 +60,7 @@ struct LinePin {
   int node = -1;
   Vec3 target = Vec3::Zero();
   std::optional<Mat3> frame = {};  ///< rotation since the start pose, view axes
+  double hold = 1.0;               ///< factor on the weights of pins
 };
 
 /// What a joint may do: its limit, and what turns of its node mean to it,

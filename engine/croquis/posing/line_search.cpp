@@ -39,6 +39,8 @@ double drawn_away(const LineProblem& problem) {
   return sum / (static_cast<double>(problem.paths.size()) * (kParts + 1));
 }
 
+constexpr double kPinnedBend = 0.2;  // radians, of straight limbs between a line and a pin
+
 /// The largest distance between the same joints of two states, problem units.
 double apart(const LineState& a, const LineState& b) {
   double most = 0.0;
@@ -112,28 +114,6 @@ LineSolution LineSearch::descend(LineState start) {
   return solution;
 }
 
-/// Straight limbs between a line and a pin start a little bent, the way they can: lengthwise nothing pulls a straight
-/// knee to either side.
-void LineSearch::bend_pinned_hinges(LineState& state) const {
-  const LineProblem& problem = scene_.problem;
-  if (problem.pins.empty()) return;
-  constexpr double kBend = 0.2;
-  for (std::size_t i = 0; i < problem.limits.size(); ++i) {
-    const LineLimit& limit = problem.limits[i];
-    if (!limit.limit.hinge) continue;
-    const bool on_path = std::any_of(problem.paths.begin(), problem.paths.end(), [&](const LinePath& path) {
-      return std::find(path.nodes.begin(), path.nodes.end(), limit.node) != path.nodes.end();
-    });
-    if (on_path) continue;
-    const double room = limit.limit.swing_max.x() > -limit.limit.swing_min.x() ? kBend : -kBend;
-    const Quat bend = rotation_from_vector(Vec3(room, 0, 0));
-    const Quat local = limit.start_local * (limit.limit.frame * bend * limit.limit.frame.conjugate());
-    const Mat3 turn = (local * limit.start_local.conjugate()).normalized().toRotationMatrix();
-    state.turn[static_cast<std::size_t>(limit.node)] = Quat(Mat3(limit.above * turn * limit.above.transpose()));
-  }
-  problem.update(state);
-}
-
 /// The best of a few starts, descended to the end.
 LineSolution LineSearch::solve_one_way() {
   const LineProblem& problem = scene_.problem;
@@ -165,7 +145,7 @@ LineSolution LineSearch::solve_one_way() {
   const LineWeights given = scene_.problem.weights;
   soften(scene_.problem.weights);
   for (LineState& start : starts) {
-    bend_pinned_hinges(start);
+    bend_pinned_hinges(problem, start, kPinnedBend);
     const DescentReport report = descent_.minimise(problem, start, {thorough_ ? 20 : 8, 1e-4});
     if (!(report.energy < found.energy)) continue;
     best = start;
@@ -174,18 +154,18 @@ LineSolution LineSearch::solve_one_way() {
   scene_.problem.weights = given;
   LineSolution solution = descend(std::move(best));
   solution.report.iterations += found.iterations;
-  return thorough_ ? turn_over(std::move(solution)) : solution;
+  return thorough_ ? turn_over(solution) : solution;
 }
 
 /// The solution, or what comes of it when some of its bones come toward the viewer that went away, whichever is better:
 /// a bone that lies in the picture is a saddle between the two, and descent alone does not choose.
-LineSolution LineSearch::turn_over(LineSolution solution) {
+LineSolution LineSearch::turn_over(const LineSolution& solution) {
   constexpr double kHopeful = 1.5;  // times the energy, after a few steps
   LineSolution best = solution;
   for (const auto& guess : depth_guesses(solution.state)) {
     LineState state = solution.state;
     lay_on_chords(scene_.problem, guess, state);
-    bend_pinned_hinges(state);
+    bend_pinned_hinges(scene_.problem, state, kPinnedBend);
     const DescentReport report = descent_.minimise(scene_.problem, state, {12, 1e-4});
     if (report.energy > kHopeful * best.report.energy) continue;
     LineSolution other = descend(std::move(state));
@@ -266,7 +246,7 @@ std::vector<LineSolution> LineSearch::others(const LineSolution& best) {
   set_forward(best.forward);
   const auto try_guess = [&](const std::vector<std::vector<int>>& guess, LineState state) {
     lay_on_chords(scene_.problem, guess, state);
-    bend_pinned_hinges(state);
+    bend_pinned_hinges(scene_.problem, state, kPinnedBend);
     found.push_back(descend(std::move(state)));
   };
   for (const auto& guess : depth_guesses(best.state)) try_guess(guess, best.state);

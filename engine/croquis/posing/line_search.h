@@ -33,10 +33,9 @@ class LineSearch {
   void set_forward(const std::vector<bool>& forward);
   [[nodiscard]] LineSolution descend(LineState start);
   [[nodiscard]] LineSolution solve_one_way();
-  [[nodiscard]] LineSolution turn_over(LineSolution solution);
+  [[nodiscard]] LineSolution turn_over(const LineSolution& solution);
   [[nodiscard]] LineSolution solve_way(const std::vector<bool>& forward);
   void judge(LineSolution& solution) const;
-  void bend_pinned_hinges(LineState& state) const;
   [[nodiscard]] std::vector<std::vector<std::vector<int>>> depth_guesses(const LineState& state) const;
 
   LineScene& scene_;

@@ -84,4 +84,22 @@ void lay_on_chords(const LineProblem& problem, std::span<const std::vector<int>>
   }
 }
 
+void bend_pinned_hinges(const LineProblem& problem, LineState& state, double bend) {
+  if (problem.pins.empty()) return;
+  for (std::size_t i = 0; i < problem.limits.size(); ++i) {
+    const LineLimit& limit = problem.limits[i];
+    if (!limit.limit.hinge) continue;
+    const bool on_path = std::any_of(problem.paths.begin(), problem.paths.end(), [&](const LinePath& path) {
+      return std::find(path.nodes.begin(), path.nodes.end(), limit.node) != path.nodes.end();
+    });
+    if (on_path) continue;
+    const double room = limit.limit.swing_max.x() > -limit.limit.swing_min.x() ? bend : -bend;
+    const Quat bent = rotation_from_vector(Vec3(room, 0, 0));
+    const Quat local = limit.start_local * (limit.limit.frame * bent * limit.limit.frame.conjugate());
+    const Mat3 turn = (local * limit.start_local.conjugate()).normalized().toRotationMatrix();
+    state.turn[static_cast<std::size_t>(limit.node)] = Quat(Mat3(limit.above * turn * limit.above.transpose()));
+  }
+  problem.update(state);
+}
+
 }  // namespace croquis

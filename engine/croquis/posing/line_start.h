@@ -16,4 +16,8 @@ void measure_bones(const LineProblem& problem, const LinePath& path, std::vector
 /// toward the viewer, 0: as in the start pose). Arc lengths `state.along` are taken as given.
 void lay_on_chords(const LineProblem& problem, std::span<const std::vector<int>> depth_sign, LineState& state);
 
+/// Bends straight limbs between a line and a pin by `bend` radians, the way they can: lengthwise nothing pulls a
+/// straight knee to either side.
+void bend_pinned_hinges(const LineProblem& problem, LineState& state, double bend);
+
 }  // namespace croquis

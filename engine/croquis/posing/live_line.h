@@ -11,8 +11,8 @@ namespace croquis {
 /// A stroke while it is being drawn, and the pose that follows it. The stroke holds as much of the body line as its
 /// length reaches; the rest goes on straight along its end, gently as long as the stroke is short. Each update descends
 /// from the pose before it, and no joint turns by more than 2.5 degrees per pixel that the pen has gone: the pose moves
-/// with the pen and never jumps between hypotheses, and lifting the pen changes nothing. After the first update nothing
-/// is allocated.
+/// with the pen and never jumps between hypotheses, and lifting the pen changes nothing. Feet that stand (with a floor,
+/// options.stand) go on standing until the line is out of their reach. After the first update nothing is allocated.
 class LiveLine {
  public:
   /// `start` is the pose drawn over. The length policy is always `extend`. `skeleton` must outlive the object. Throws
