@@ -105,7 +105,7 @@ story('the screenshots of the README, in full quality', {}, async (visit) => {
     await table.run({ name: 'apply_pose', actor: (await table.state()).actors[0].id, pose, strength: 1, flipped: false });
     const [foot, head] = [await table.pixel('rightFoot'), await table.pixel('head')];
     const tall = foot.y - head.y;
-    await table.draw(arc(foot, { x: foot.x, y: foot.y - 0.6 * tall }, { x: foot.x + 0.4 * tall, y: foot.y - 1.15 * tall }, 40));
+    await table.draw(arc(foot, { x: foot.x, y: foot.y - 0.6 * tall }, { x: foot.x + 0.3 * tall, y: foot.y - 0.98 * tall }, 40));
     await table.until(() => document.querySelector('.pose-card') && !document.querySelector('.pose-card .blank'));
     await table.settled();
     const panels = await table.page.locator('.panels').boundingBox();
