@@ -101,6 +101,7 @@ TEST(LineProblem, CirclingIsWhatTheNormalMatrixLeavesOut) {
     const LineState state = problem.start_state();
     LineState moved = state;
     LineModel model;
+    model.exact = true;
     problem.prepare(model);
     problem.linearise(state, model);
     Eigen::VectorXd step(problem.unknowns());

@@ -37,8 +37,8 @@ double LineDescent::try_step(const LineProblem& problem, const LineState& state,
   constexpr int kAttempts = 3;
   double energy = 0.0;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    damp(damping, exact_);
-    if (exact_ && factor_.info() != Eigen::Success) damp(damping, false);
+    damp(damping, model_.exact);
+    if (model_.exact && factor_.info() != Eigen::Success) damp(damping, false);
     step_ = -model_.gradient;
     factor_.solveInPlace(step_);
     if (most_turn > 0.0) {
@@ -73,11 +73,11 @@ DescentReport LineDescent::minimise(const LineProblem& problem, LineState& state
   constexpr double kNear = 0.02, kCrawl = 1e-6;
   DescentReport report;
   clamp_to_limits(problem, state, crossings_);
+  model_.exact = false;
   problem.linearise(state, model_);
   find_active_limits(problem, state, model_.gradient, active_);
   report.energy = model_.energy;
   double damping = 1e-3, growth = 2.0;
-  exact_ = false;
   while (report.iterations < options.iterations) {
     ++report.iterations;
     const double energy = try_step(problem, state, damping, options.most_turn);
@@ -95,7 +95,7 @@ DescentReport LineDescent::minimise(const LineProblem& problem, LineState& state
       // Along a curved limit steps get small before the energy stands still.
       const bool crawls = decrease <= kCrawl * energy && step_.norm() < std::sqrt(kCrawl);
       report.converged = decrease <= options.tolerance * energy || crawls;
-      exact_ = decrease <= kNear * energy;
+      model_.exact = decrease <= kNear * energy;
       if (report.converged) break;
       problem.linearise(state, model_);
     } else {

@@ -33,7 +33,6 @@ class LineDescent {
   void damp(double damping, bool circling);
   [[nodiscard]] double try_step(const LineProblem& problem, const LineState& state, double damping, double most_turn);
   LineModel model_;
-  bool exact_ = false;
   LineState trial_;
   Eigen::MatrixXd damped_;
   Eigen::VectorXd step_;

@@ -273,8 +273,7 @@ struct LineProblem::ModelSink {
 void LineProblem::linearise(const LineState& state, LineModel& model) const {
   model.normal.setZero();
   model.gradient.setZero();
-  model.circling.setZero();
-  std::fill(model.pulled.begin(), model.pulled.end(), Mat3::Zero());
+  if (model.exact) std::fill(model.pulled.begin(), model.pulled.end(), Mat3::Zero());
   ModelSink sink{*this, state, model};
   for (std::size_t i = 0; i < paths.size(); ++i) {
     for (std::size_t k = 0; k <= paths[i].nodes.size(); ++k) {
@@ -288,7 +287,7 @@ void LineProblem::linearise(const LineState& state, LineModel& model) const {
   visit_turns(state, sink);
   visit_pins(state, sink);
   visit_body(state, sink);
-  add_circling(state, model);
+  if (model.exact) add_circling(state, model);
   model.energy = 0.5 * sink.sum;
 }
 

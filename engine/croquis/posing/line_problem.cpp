@@ -180,6 +180,7 @@ void LineProblem::add_point(const LineState& state, const BodyPoint& point, cons
 
 /// Notes that the energy changes by slope . dx when a point at x that `node` carries moves.
 void LineProblem::pull(const LineState& state, int node, const Vec3& x, const Vec3& slope, LineModel& model) const {
+  if (!model.exact) return;
   for (int i = node; i >= 0; i = nodes[static_cast<std::size_t>(i)].parent) {
     const auto at = static_cast<std::size_t>(i);
     if (nodes[at].column < 0) continue;

@@ -91,6 +91,7 @@ struct LineState {
 struct LineModel {
   double energy = 0.0;
   Eigen::MatrixXd normal;    ///< J'J, lower triangle
+  bool exact = false;        ///< `circling` is wanted
   Eigen::MatrixXd circling;  ///< what J'J leaves out because turned points go in circles, lower triangle; indefinite
   Eigen::VectorXd gradient;  ///< J'r
 
@@ -144,7 +145,7 @@ class LineProblem {
   [[nodiscard]] double energy(const LineState& state) const;
   /// The part of it that pins, floor, balance and overlap have.
   [[nodiscard]] double bodily_energy(const LineState& state) const;
-  /// Energy, gradient and both matrices at a state, into a prepared model.
+  /// Energy, gradient and matrices at a state, into a prepared model.
   void linearise(const LineState& state, LineModel& model) const;
   /// The residuals one by one with all their slopes (residuals x unknowns), for checks.
   void list_residuals(const LineState& state, Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian) const;

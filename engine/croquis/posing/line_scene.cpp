@@ -39,8 +39,8 @@ Stiffness stiffness_of(JointRole role) {
   return {1.0, 1.0};
 }
 
-// A person carries the body upright: lines bend it, they hardly tip it over.
-constexpr Stiffness kPersonsRoot = {1.0, 2.0};
+// How many times stiffer a person's root is: people carry the body upright, lines bend it, they hardly tip it over.
+constexpr double kUpright = 1.0 / 0.22;
 constexpr double kRoll = 4.0;        // twist of the topmost joint of a line, in what is no humanoid
 constexpr double kUsualTurn = 0.15;  // radians: the spread of a joint whose stiffness is 1
 
@@ -281,9 +281,7 @@ void LineScene::heed_prior(const HumanoidMap& humanoid) {
     problem.nodes[static_cast<std::size_t>(node)].stiffness = axes * stiffness.asDiagonal() * axes.transpose();
   }
   const int root = node_of(body_root_);
-  if (priors.empty() || root < 0) return;
-  Mat3& stiffness = problem.nodes[static_cast<std::size_t>(root)].stiffness;
-  stiffness *= kPersonsRoot.swing / stiffness_of(JointRole::root).swing;
+  if (!priors.empty() && root >= 0) problem.nodes[static_cast<std::size_t>(root)].stiffness *= kUpright;
 }
 
 void LineScene::add_shares(const LinePath& path) {

@@ -15,6 +15,12 @@ namespace {
 // meant.
 constexpr double kDense = 1.0 / 24.0;
 
+/// The cubic from a to b with directions `in` and `out`, `span` apart in arc length, at t in [0, 1].
+Vec2 hermite(const Vec2& a, const Vec2& in, const Vec2& b, const Vec2& out, double span, double t) {
+  const double t2 = t * t, t3 = t2 * t;
+  return (2 * t3 - 3 * t2 + 1) * a + (t3 - 2 * t2 + t) * span * in + (3 * t2 - 2 * t3) * b + (t3 - t2) * span * out;
+}
+
 /// The direction of a curve at b, between a and c.
 Vec2 direction_at(const Vec2& a, const Vec2& b, const Vec2& c) {
   const double before = (b - a).norm(), after = (c - b).norm();
@@ -57,9 +63,7 @@ void StrokeCurve::assign(std::span<const Vec2> points, const Vec2& scale, const 
     const Vec2 in = dense && segment > 1 ? direction_at(at_index(segment - 2), a, b) : Vec2((b - a) / span);
     const Vec2 out =
         dense && segment + 1 < points.size() ? direction_at(a, b, at_index(segment + 1)) : Vec2((b - a) / span);
-    const double t2 = t * t, t3 = t2 * t;
-    knots_[static_cast<std::size_t>(k)] =
-        (2 * t3 - 3 * t2 + 1) * a + (t3 - 2 * t2 + t) * span * in + (3 * t2 - 2 * t3) * b + (t3 - t2) * span * out;
+    knots_[static_cast<std::size_t>(k)] = hermite(a, in, b, out, span, t);
   }
   finish();
 }
@@ -85,9 +89,7 @@ Vec2 StrokeCurve::at(double s) const {
   if (s >= length_) return knots_.back() + (s - length_) * slopes_.back();
   const double u = s / step_;
   const auto k = std::min(static_cast<std::size_t>(u), static_cast<std::size_t>(kKnots - 2));
-  const double t = u - static_cast<double>(k), t2 = t * t, t3 = t2 * t;
-  return (2 * t3 - 3 * t2 + 1) * knots_[k] + (t3 - 2 * t2 + t) * step_ * slopes_[k] +
-         (3 * t2 - 2 * t3) * knots_[k + 1] + (t3 - t2) * step_ * slopes_[k + 1];
+  return hermite(knots_[k], slopes_[k], knots_[k + 1], slopes_[k + 1], step_, u - static_cast<double>(k));
 }
 
 Vec2 StrokeCurve::derivative(double s) const {
